@@ -230,6 +230,7 @@ class AnswerWarning(Record):
         "rubber_stretch",
         "flat",
         "not_measured",
+        "bench_mismatch",
         "extrapolated",
     ]
     message: str
@@ -427,20 +428,42 @@ class Build(_record.Files):
         The muscle.
     model
         The model that all numbers come from.
+    contraction
+        Contraction of its job, else half of the free contraction.
+    predicted_n : N
+        Pull as built, N: the median, `mean_n` and all of `predicted_shift_n`.
+    predicted_low_n : N
+        Lower end of its 95 % interval, N.
+    predicted_high_n : N
+        Upper end of its 95 % interval, N.
+    predicted_direction
+        Branch of that pull: the one that is asked, else that of its work.
+    mean_n : N
+        Pull of the model alone, N: the mean of both branches.
+    predicted_shift_n : N
+        From the model's mean to the median, N.
     blocked_force_n : N
-        Blocked force at the working pressure, N.
+        Blocked force of the model at the working pressure, N.
     free_contraction
         Free contraction at the working pressure.
     bulged_diameter_mm : mm
         Largest outer diameter at the working pressure without load, mm.
     end_load_n : N
-        Load of an end, N: the blocked force, and the pressure on the bore.
+        Largest load of an end in the stated use, N: while the muscle lengthens, at the relief pressure, at the longest length of its job, else at L0.
     proof_end_load_n : N
-        The same at the pressure of the proof test, with the length held, N.
+        Load of an end in the proof test, N: stretched by 2 % of L0.
+    proof_end_load_low_n : N
+        Lower end of its 95 % interval, N.
+    proof_end_load_high_n : N
+        Upper end of its 95 % interval, N: bolts, plugs and ferrules are chosen by it.
+    proof_to_use
+        Load in the proof test over that in use.
+    proof_to_stretched
+        Load in the proof test over that at the relief pressure, stretched by 2 % of L0.
     ends
         How the ends hold tube and sleeve.
     ends_hold_n : N
-        What they hold at least by estimate, N; none where no estimate is known.
+        What they hold at least by estimate, N.
     heads_distance_mm : mm
         Distance between the inner faces of both heads at rest, mm: what a ruler reaches.
     clamped_diameter_mm : mm
@@ -459,7 +482,7 @@ class Build(_record.Files):
     leak_pressure_mpa : MPa
         Pressure of the leak test, MPa.
     air_energy_j : J
-        Energy of the air at the working pressure, J, at most: p V ln(p/p₀).
+        Energy of the air at the working pressure, J, at most: p V ln(p/p₀); none of a liquid.
     wall_energy_j : J
         Energy that rubber and strands store at most at the working pressure, J: P times what the cavity grows.
     burst_pressure_mpa : MPa
@@ -498,13 +521,18 @@ class Build(_record.Files):
     _rows: ClassVar[str | None] = "parts"
     muscle: MuscleSummary
     model: str
+    contraction: float
     blocked_force_n: float
     free_contraction: float
     bulged_diameter_mm: float
     end_load_n: float
     proof_end_load_n: float
+    proof_end_load_low_n: float
+    proof_end_load_high_n: float
+    proof_to_use: float
+    proof_to_stretched: float
     ends: Literal["crimped", "clamped", "tied"]
-    ends_hold_n: float | None
+    ends_hold_n: float
     heads_distance_mm: float
     clamped_diameter_mm: float
     plug_diameter_mm: float
@@ -513,7 +541,7 @@ class Build(_record.Files):
     pressure_mpa: float
     proof_pressure_mpa: float
     leak_pressure_mpa: float
-    air_energy_j: float
+    air_energy_j: float | None
     wall_energy_j: float
     burst_pressure_mpa: float | None
     ends_included: bool
@@ -523,6 +551,12 @@ class Build(_record.Files):
     test: list[TestPoint]
     files: list[BuiltFile]
     warnings: list[AnswerWarning]
+    predicted_n: float | None = None
+    predicted_low_n: float | None = None
+    predicted_high_n: float | None = None
+    predicted_direction: Literal["mean", "contraction", "elongation"] | None = None
+    mean_n: float | None = None
+    predicted_shift_n: BuiltShift | None = None
     burst_by: (
         Literal[
             "strands",
@@ -1012,8 +1046,20 @@ class Characteristics(Record):
         The model that says so.
     pressure_mpa : MPa
         The pressure, MPa.
+    predicted_n : N
+        Pull as built, N: the median, `mean_n` and all of `predicted_shift_n`.
+    predicted_low_n : N
+        Lower end of its 95 % interval, N.
+    predicted_high_n : N
+        Upper end of its 95 % interval, N.
+    predicted_direction
+        Branch of that pull: the one that is asked, else that of its work.
+    mean_n : N
+        Pull of the model alone, N: the mean of both branches.
+    predicted_shift_n : N
+        From the model's mean to the median, N.
     blocked_force_n : N
-        Blocked force, N.
+        Blocked force of the model on the branch that is asked, N.
     blocked_force_uncertainty_n : N
         Half-width of the 95 % interval of the blocked force, N.
     uncertainty_words
@@ -1025,7 +1071,9 @@ class Characteristics(Record):
     volume_mm3 : mm3
         Cavity there, mm³.
     air_normal_litres : normal L
-        Air from rest to there, normal litres.
+        Air from rest to there, normal litres; none of a muscle whose job names a liquid.
+    liquid_volume_mm3 : mm3
+        Liquid that its job names from rest to there, mm³.
     burst_pressure_mpa : MPa
         Burst pressure, MPa: the least at which a part of the muscle may fail, with the least of what is estimated, of several muscles that of the
         weakest; none where no number for it is stated.
@@ -1055,8 +1103,15 @@ class Characteristics(Record):
     work_j: float | None
     volume_mm3: float | None
     air_normal_litres: float | None
+    liquid_volume_mm3: float | None
     burst_pressure_mpa: float | None
     ends_included: bool
+    predicted_n: float | None = None
+    predicted_low_n: float | None = None
+    predicted_high_n: float | None = None
+    predicted_direction: Literal["mean", "contraction", "elongation"] | None = None
+    mean_n: float | None = None
+    predicted_shift_n: BuiltShift | None = None
     blocked_force_uncertainty_n: float | None = None
     burst_by: (
         Literal[
@@ -1484,6 +1539,7 @@ class ClosestAnswer(Record):
         "bulged_diameter",
         "envelope",
         "pulley",
+        "pitch",
         "max_stretch",
         "mass",
     ]
@@ -1733,10 +1789,10 @@ class Curve(_record.Curves):
                 "max_stretch",
                 "free_contraction",
                 "start_pressure_mpa",
-                "mean_n",
                 "predicted_n",
                 "predicted_low_n",
                 "predicted_high_n",
+                "mean_n",
                 "uncertainty_n",
                 "predicted_mpa",
                 "predicted_low_mpa",
@@ -2052,18 +2108,18 @@ class DesignPoint(Record):
         Half of the 95 % interval of what a muscle that is built pulls, N.
     friction_n : N
         What friction adds to the model's pull on the branch that is wanted, N: below zero while the muscle shortens, 0 of the mean of both branches.
-    mean_n : N
-        The model's pull, of the mean of both branches, N.
     predicted_n : N
-        The median of what a muscle that is built will pull, N: `mean_n` and all of `predicted_shift_n`.
+        Pull as built, N: the median, `mean_n` and all of `predicted_shift_n`.
     predicted_low_n : N
         Lower end of its 95 % interval, N.
     predicted_high_n : N
-        Upper end, N.
+        Upper end of its 95 % interval, N.
     predicted_direction
-        The branch on which it does: the one that is asked, else that of its work.
+        Branch of that pull: the one that is asked, else that of its work.
+    mean_n : N
+        Pull of the model alone, N: the mean of both branches.
     predicted_shift_n : N
-        What lies between the model's pull of the mean of both branches and the median, N.
+        From the model's mean to the median, N.
     """
 
     pressure_mpa: float
@@ -2086,11 +2142,11 @@ class DesignPoint(Record):
     middle_stretch: float | None = None
     max_stretch: float | None = None
     liquid_volume_mm3: float | None = None
-    mean_n: float | None = None
     predicted_n: float | None = None
     predicted_low_n: float | None = None
     predicted_high_n: float | None = None
     predicted_direction: Literal["mean", "contraction", "elongation"] | None = None
+    mean_n: float | None = None
     predicted_shift_n: BuiltShift | None = None
 
 
@@ -2182,18 +2238,18 @@ class Equilibrium(Record):
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
-    mean_n : N
-        The model's pull, of the mean of both branches, N.
     predicted_n : N
-        The median of what a muscle that is built will pull, N: `mean_n` and all of `predicted_shift_n`.
+        Pull as built, N: the median, `mean_n` and all of `predicted_shift_n`.
     predicted_low_n : N
         Lower end of its 95 % interval, N.
     predicted_high_n : N
-        Upper end, N.
+        Upper end of its 95 % interval, N.
     predicted_direction
-        The branch on which it does: the one that is asked, else that of its work.
+        Branch of that pull: the one that is asked, else that of its work.
+    mean_n : N
+        Pull of the model alone, N: the mean of both branches.
     predicted_shift_n : N
-        What lies between the model's pull of the mean of both branches and the median, N.
+        From the model's mean to the median, N.
     uncertainty_n : N
         Half of the 95 % interval of what a muscle that is built will pull, N.
     uncertainty_parts_n : N
@@ -2250,11 +2306,11 @@ class Equilibrium(Record):
     max_stretch: float | None = None
     free_contraction: float | None = None
     start_pressure_mpa: float | None = None
-    mean_n: float | None = None
     predicted_n: float | None = None
     predicted_low_n: float | None = None
     predicted_high_n: float | None = None
     predicted_direction: Literal["mean", "contraction", "elongation"] | None = None
+    mean_n: float | None = None
     predicted_shift_n: BuiltShift | None = None
     uncertainty_n: float | None = None
     uncertainty_parts_n: UncertaintyParts | None = None
@@ -2364,18 +2420,18 @@ class Export(_record.Files):
         Contraction.
     force_n : N
         The model's pull there on the branch, N.
-    mean_n : N
-        The model's pull, of the mean of both branches, N.
     predicted_n : N
-        The median of what a muscle that is built will pull, N: `mean_n` and all of `predicted_shift_n`.
+        Pull as built, N: the median, `mean_n` and all of `predicted_shift_n`.
     predicted_low_n : N
         Lower end of its 95 % interval, N.
     predicted_high_n : N
-        Upper end, N.
+        Upper end of its 95 % interval, N.
     predicted_direction
-        The branch on which it does: the one that is asked, else that of its work.
+        Branch of that pull: the one that is asked, else that of its work.
+    mean_n : N
+        Pull of the model alone, N: the mean of both branches.
     predicted_shift_n : N
-        What lies between the model's pull of the mean of both branches and the median, N.
+        From the model's mean to the median, N.
     muscle
         The muscle.
     needs
@@ -2445,11 +2501,11 @@ class Export(_record.Files):
     pressure_mpa: float | None = None
     contraction: float | None = None
     force_n: float | None = None
-    mean_n: float | None = None
     predicted_n: float | None = None
     predicted_low_n: float | None = None
     predicted_high_n: float | None = None
     predicted_direction: Literal["mean", "contraction", "elongation"] | None = None
+    mean_n: float | None = None
     predicted_shift_n: BuiltShift | None = None
     if TYPE_CHECKING:
 
@@ -2638,18 +2694,18 @@ class FillAnswer(Record):
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
-    mean_n : N
-        The model's pull, of the mean of both branches, N.
     predicted_n : N
-        The median of what a muscle that is built will pull, N: `mean_n` and all of `predicted_shift_n`.
+        Pull as built, N: the median, `mean_n` and all of `predicted_shift_n`.
     predicted_low_n : N
         Lower end of its 95 % interval, N.
     predicted_high_n : N
-        Upper end, N.
+        Upper end of its 95 % interval, N.
     predicted_direction
-        The branch on which it does: the one that is asked, else that of its work.
+        Branch of that pull: the one that is asked, else that of its work.
+    mean_n : N
+        Pull of the model alone, N: the mean of both branches.
     predicted_shift_n : N
-        What lies between the model's pull of the mean of both branches and the median, N.
+        From the model's mean to the median, N.
     uncertainty_n : N
         Half of the 95 % interval of what a muscle that is built will pull, N.
     uncertainty_parts_n : N
@@ -2763,11 +2819,11 @@ class FillAnswer(Record):
     max_stretch: float | None = None
     free_contraction: float | None = None
     start_pressure_mpa: float | None = None
-    mean_n: float | None = None
     predicted_n: float | None = None
     predicted_low_n: float | None = None
     predicted_high_n: float | None = None
     predicted_direction: Literal["mean", "contraction", "elongation"] | None = None
+    mean_n: float | None = None
     predicted_shift_n: BuiltShift | None = None
     uncertainty_n: float | None = None
     uncertainty_parts_n: UncertaintyParts | None = None
@@ -3078,7 +3134,7 @@ class Identification(_record.Identified):
     degrees_of_freedom
         Points that counted.
     spreads
-        Residuals by branch, by measured quantity, and by table.
+        Residuals by branch and by table.
     muscle
         The muscle with the identified values.
     set_pressure_mpa : MPa
@@ -3194,21 +3250,13 @@ class IdentifiedPoint(Record):
     branch
         The branch of the hysteresis loop; `mean` of both. None where it is not stated: then it does not measure the friction.
     measured
-        The measured quantity; the others were set. In a row of a volume the pull is 0 where none was read.
-    volume_mm3 : mm3
-        Volume of the cavity, hose and fittings with it, where that was read, mm³.
+        What is compared: the pull.
     model_force_n : N
-        The model's pull where that was read, N.
-    model_contraction
-        The model's contraction ratio where that was read.
-    model_pressure_mpa : MPa
-        The model's pressure where that was read, MPa.
-    model_volume_mm3 : mm3
-        The model's volume with `dead_volume` where that was read, mm³.
+        The model's pull, N.
     residual_n : N
         Model − measured, N.
     weight
-        Its final weight.
+        Its weight.
     outlier
         Whether it is an outlier.
     line
@@ -3221,6 +3269,7 @@ class IdentifiedPoint(Record):
     contraction: float
     force_n: float
     measured: Literal["force", "contraction", "pressure", "volume"]
+    model_force_n: float
     residual_n: float
     weight: float
     outlier: bool
@@ -3231,11 +3280,6 @@ class IdentifiedPoint(Record):
     length_mm: float | None = None
     angle_deg: float | None = None
     branch: Literal["mean", "contraction", "elongation"] | None = None
-    volume_mm3: float | None = None
-    model_force_n: float | None = None
-    model_contraction: float | None = None
-    model_pressure_mpa: float | None = None
-    model_volume_mm3: float | None = None
 
 
 class JointExport(_record.Files):
@@ -3540,6 +3584,8 @@ class LawAnswer(Record):
         Root mean square of the differences of nominal stress, MPa.
     relative_rms
         Root mean square of the differences, as a share of the measured stress.
+    largest_relative
+        The largest of them, as such a share.
     aicc
         AICc: Akaike's criterion for small samples.
     fitted_to_stretch
@@ -3564,6 +3610,7 @@ class LawAnswer(Record):
     free_r_squared: float | None
     rms_mpa: float
     relative_rms: float
+    largest_relative: float
     aicc: float
     fitted_to_stretch: float
     stable: bool
@@ -4951,18 +4998,18 @@ class PointRow(Record):
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
-    mean_n : N
-        The model's pull, of the mean of both branches, N.
     predicted_n : N
-        The median of what a muscle that is built will pull, N: `mean_n` and all of `predicted_shift_n`.
+        Pull as built, N: the median, `mean_n` and all of `predicted_shift_n`.
     predicted_low_n : N
         Lower end of its 95 % interval, N.
     predicted_high_n : N
-        Upper end, N.
+        Upper end of its 95 % interval, N.
     predicted_direction
-        The branch on which it does: the one that is asked, else that of its work.
+        Branch of that pull: the one that is asked, else that of its work.
+    mean_n : N
+        Pull of the model alone, N: the mean of both branches.
     predicted_shift_n : N
-        What lies between the model's pull of the mean of both branches and the median, N.
+        From the model's mean to the median, N.
     uncertainty_n : N
         Half of the 95 % interval of what a muscle that is built will pull, N.
     uncertainty_parts_n : N
@@ -5022,11 +5069,11 @@ class PointRow(Record):
     slack: bool | None = None
     free_contraction: float | None = None
     start_pressure_mpa: float | None = None
-    mean_n: float | None = None
     predicted_n: float | None = None
     predicted_low_n: float | None = None
     predicted_high_n: float | None = None
     predicted_direction: Literal["mean", "contraction", "elongation"] | None = None
+    mean_n: float | None = None
     predicted_shift_n: BuiltShift | None = None
     uncertainty_n: float | None = None
     uncertainty_parts_n: UncertaintyParts | None = None
@@ -5253,6 +5300,7 @@ class RejectedAnswer(Record):
         "bulged_diameter",
         "envelope",
         "pulley",
+        "pitch",
         "max_stretch",
         "mass",
     ]
@@ -5280,6 +5328,8 @@ class Relaxation(Record):
         See the documentation.
     envelope_mm : mm
         See the documentation.
+    pitch_mm : mm
+        See the documentation.
     mass_g : g
         See the documentation.
     max_stretch
@@ -5300,6 +5350,7 @@ class Relaxation(Record):
     certainty: float | None = None
     bulged_diameter_mm: float | None = None
     envelope_mm: float | None = None
+    pitch_mm: float | None = None
     mass_g: float | None = None
     max_stretch: float | None = None
     strand_strain: float | None = None
@@ -5327,6 +5378,8 @@ class RelaxationAnswer(Record):
         See the documentation.
     envelope_mm : mm
         See the documentation.
+    pitch_mm : mm
+        See the documentation.
     mass_g : g
         See the documentation.
     max_stretch
@@ -5348,6 +5401,7 @@ class RelaxationAnswer(Record):
     certainty: float | None = None
     bulged_diameter_mm: float | None = None
     envelope_mm: float | None = None
+    pitch_mm: float | None = None
     mass_g: float | None = None
     max_stretch: float | None = None
     strand_strain: float | None = None
@@ -5427,6 +5481,8 @@ class RubberFit(_record.FittedLaws):
         Points that were fitted.
     left_out
         Points that were left out.
+    left_out_to_stretch
+        Largest stretch of those beyond `up_to_stretch`, or beyond the stretches of a muscle.
     held_out
         Points of modes that were held out.
     fitted_to_stretch
@@ -5465,6 +5521,7 @@ class RubberFit(_record.FittedLaws):
     laws: list[LawAnswer]
     failed: list[str]
     warnings: list[AnswerWarning]
+    left_out_to_stretch: float | None = None
     muscle_file: str | None = None
     relaxation: PronyAnswer | None = None
     softening: SofteningAnswer | None = None
@@ -5482,6 +5539,7 @@ class RubberFit(_record.FittedLaws):
                 "free_r_squared",
                 "rms_mpa",
                 "relative_rms",
+                "largest_relative",
                 "aicc",
                 "fitted_to_stretch",
                 "unstable_from_hoop_stretch",
@@ -5750,18 +5808,18 @@ class Shape(_record.Shaped):
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
-    mean_n : N
-        The model's pull, of the mean of both branches, N.
     predicted_n : N
-        The median of what a muscle that is built will pull, N: `mean_n` and all of `predicted_shift_n`.
+        Pull as built, N: the median, `mean_n` and all of `predicted_shift_n`.
     predicted_low_n : N
         Lower end of its 95 % interval, N.
     predicted_high_n : N
-        Upper end, N.
+        Upper end of its 95 % interval, N.
     predicted_direction
-        The branch on which it does: the one that is asked, else that of its work.
+        Branch of that pull: the one that is asked, else that of its work.
+    mean_n : N
+        Pull of the model alone, N: the mean of both branches.
     predicted_shift_n : N
-        What lies between the model's pull of the mean of both branches and the median, N.
+        From the model's mean to the median, N.
     uncertainty_n : N
         Half of the 95 % interval of what a muscle that is built will pull, N.
     uncertainty_parts_n : N
@@ -5830,11 +5888,11 @@ class Shape(_record.Shaped):
     max_stretch: float | None = None
     free_contraction: float | None = None
     start_pressure_mpa: float | None = None
-    mean_n: float | None = None
     predicted_n: float | None = None
     predicted_low_n: float | None = None
     predicted_high_n: float | None = None
     predicted_direction: Literal["mean", "contraction", "elongation"] | None = None
+    mean_n: float | None = None
     predicted_shift_n: BuiltShift | None = None
     uncertainty_n: float | None = None
     uncertainty_parts_n: UncertaintyParts | None = None
@@ -5974,6 +6032,10 @@ class SimulateAnswer(Record):
                 "bulged_diameter_mm",
                 "middle_stretch",
                 "max_stretch",
+                "predicted_n",
+                "predicted_low_n",
+                "predicted_high_n",
+                "mean_n",
                 "free_contraction",
                 "rubber_energy_j",
                 "braid_energy_j",
@@ -5984,7 +6046,9 @@ class SimulateAnswer(Record):
             /,
         ) -> NDArray[np.float64]: ...
         @overload
-        def __getitem__(self, name: Literal["status", "cause"], /) -> list[str]: ...
+        def __getitem__(
+            self, name: Literal["predicted_direction", "status", "cause"], /
+        ) -> list[str]: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -6022,6 +6086,18 @@ class SimulatedPoint(Record):
     max_stretch
         The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the middle. (The largest of all is none: at
         the bonded corner it grows without bound as the mesh gets finer.)
+    predicted_n : N
+        Pull as built, N: the median, `mean_n` and all of `predicted_shift_n`.
+    predicted_low_n : N
+        Lower end of its 95 % interval, N.
+    predicted_high_n : N
+        Upper end of its 95 % interval, N.
+    predicted_direction
+        Branch of that pull: the one that is asked, else that of its work.
+    mean_n : N
+        Pull of the model alone, N: the mean of both branches.
+    predicted_shift_n : N
+        From the model's mean to the median, N.
     slack
         Whether the muscle would have to push, and lies slack instead.
     free_contraction
@@ -6080,6 +6156,12 @@ class SimulatedPoint(Record):
     bulged_diameter_mm: float | None = None
     middle_stretch: float | None = None
     max_stretch: float | None = None
+    predicted_n: float | None = None
+    predicted_low_n: float | None = None
+    predicted_high_n: float | None = None
+    predicted_direction: Literal["mean", "contraction", "elongation"] | None = None
+    mean_n: float | None = None
+    predicted_shift_n: BuiltShift | None = None
     free_contraction: float | None = None
 
 
@@ -6115,6 +6197,18 @@ class SimulatedRow(Record):
     max_stretch
         The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the middle. (The largest of all is none: at
         the bonded corner it grows without bound as the mesh gets finer.)
+    predicted_n : N
+        Pull as built, N: the median, `mean_n` and all of `predicted_shift_n`.
+    predicted_low_n : N
+        Lower end of its 95 % interval, N.
+    predicted_high_n : N
+        Upper end of its 95 % interval, N.
+    predicted_direction
+        Branch of that pull: the one that is asked, else that of its work.
+    mean_n : N
+        Pull of the model alone, N: the mean of both branches.
+    predicted_shift_n : N
+        From the model's mean to the median, N.
     slack
         Whether the muscle would have to push, and lies slack instead.
     free_contraction
@@ -6167,6 +6261,12 @@ class SimulatedRow(Record):
     bulged_diameter_mm: float | None = None
     middle_stretch: float | None = None
     max_stretch: float | None = None
+    predicted_n: float | None = None
+    predicted_low_n: float | None = None
+    predicted_high_n: float | None = None
+    predicted_direction: Literal["mean", "contraction", "elongation"] | None = None
+    mean_n: float | None = None
+    predicted_shift_n: BuiltShift | None = None
     slack: bool | None = None
     free_contraction: float | None = None
     rubber_energy_j: float | None = None
@@ -6353,10 +6453,10 @@ class StudyAnswer(Record):
                 "max_stretch",
                 "free_contraction",
                 "start_pressure_mpa",
-                "mean_n",
                 "predicted_n",
                 "predicted_low_n",
                 "predicted_high_n",
+                "mean_n",
                 "uncertainty_n",
                 "predicted_mpa",
                 "predicted_low_mpa",
@@ -6427,18 +6527,18 @@ class StudyRow(Record):
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
-    mean_n : N
-        The model's pull, of the mean of both branches, N.
     predicted_n : N
-        The median of what a muscle that is built will pull, N: `mean_n` and all of `predicted_shift_n`.
+        Pull as built, N: the median, `mean_n` and all of `predicted_shift_n`.
     predicted_low_n : N
         Lower end of its 95 % interval, N.
     predicted_high_n : N
-        Upper end, N.
+        Upper end of its 95 % interval, N.
     predicted_direction
-        The branch on which it does: the one that is asked, else that of its work.
+        Branch of that pull: the one that is asked, else that of its work.
+    mean_n : N
+        Pull of the model alone, N: the mean of both branches.
     predicted_shift_n : N
-        What lies between the model's pull of the mean of both branches and the median, N.
+        From the model's mean to the median, N.
     uncertainty_n : N
         Half of the 95 % interval of what a muscle that is built will pull, N.
     uncertainty_parts_n : N
@@ -6502,11 +6602,11 @@ class StudyRow(Record):
     slack: bool | None = None
     free_contraction: float | None = None
     start_pressure_mpa: float | None = None
-    mean_n: float | None = None
     predicted_n: float | None = None
     predicted_low_n: float | None = None
     predicted_high_n: float | None = None
     predicted_direction: Literal["mean", "contraction", "elongation"] | None = None
+    mean_n: float | None = None
     predicted_shift_n: BuiltShift | None = None
     uncertainty_n: float | None = None
     uncertainty_parts_n: UncertaintyParts | None = None
@@ -6643,6 +6743,8 @@ class UncertaintyParts(Record):
         Finite elements against the limit of fine meshes.
     pull_factor
         The factor on the pull that differs from muscle to muscle.
+    beyond_measured
+        The same of a size, wall or angle beyond those of measured muscles: a judgement.
     ends
         Ends that give way.
     take_up
@@ -6664,6 +6766,7 @@ class UncertaintyParts(Record):
     formula: float | None = None
     mesh: float | None = None
     pull_factor: float | None = None
+    beyond_measured: float | None = None
     ends: float | None = None
     take_up: float | None = None
     rubber: float | None = None
@@ -7091,14 +7194,14 @@ class Solution(_record.Points):
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
-    mean_n : N
-        The model's pull, of the mean of both branches, N.
     predicted_n : N
-        The median of what a muscle that is built will pull, N: `mean_n` and all of `predicted_shift_n`.
+        Pull as built, N: the median, `mean_n` and all of `predicted_shift_n`.
     predicted_low_n : N
         Lower end of its 95 % interval, N.
     predicted_high_n : N
-        Upper end, N.
+        Upper end of its 95 % interval, N.
+    mean_n : N
+        Pull of the model alone, N: the mean of both branches.
     uncertainty_n : N
         Half of the 95 % interval of what a muscle that is built will pull, N.
     predicted_mpa : MPa
@@ -7136,10 +7239,10 @@ class Solution(_record.Points):
     max_stretch: NDArray[np.float64]
     free_contraction: NDArray[np.float64]
     start_pressure_mpa: NDArray[np.float64]
-    mean_n: NDArray[np.float64]
     predicted_n: NDArray[np.float64]
     predicted_low_n: NDArray[np.float64]
     predicted_high_n: NDArray[np.float64]
+    mean_n: NDArray[np.float64]
     uncertainty_n: NDArray[np.float64]
     predicted_mpa: NDArray[np.float64]
     predicted_low_mpa: NDArray[np.float64]
@@ -8382,7 +8485,7 @@ class MuscleCommands:
         pressure_mpa : MPa
             Working pressure [2.5bar, or the allowed pressure where that is lower].
         overpressure
-            Allow a working pressure above the allowed pressure, up to three quarters of the burst pressure.
+            Allow a working pressure above the allowed pressure, up to a proof test at three quarters of the burst pressure.
         fitting
             Fitting of the air: m3, m5, g1/8, g1/4, or barb:4 for a hose with a bore of 4 mm [m3; m5 from 8 mm, g1/8 from 15 mm]. Push-in fittings and barbs
             are sold with these threads.
@@ -8458,7 +8561,7 @@ class MuscleCommands:
         pressure_mpa : MPa
             Supply pressure, the upper end of the range [of a muscle with a job that of its supply, else 2.5bar; the allowed pressure where that is lower].
         overpressure
-            Allow a supply pressure above the allowed pressure, up to three quarters of the burst pressure.
+            Allow a supply pressure above the allowed pressure, up to a proof test at three quarters of the burst pressure.
         name
             Name in the files [that of the muscle or joint file].
         model
@@ -8605,7 +8708,7 @@ class JointCommands:
         pressure_mpa : MPa
             Supply pressure, the upper end of the range [of a muscle with a job that of its supply, else 2.5bar; the allowed pressure where that is lower].
         overpressure
-            Allow a supply pressure above the allowed pressure, up to three quarters of the burst pressure.
+            Allow a supply pressure above the allowed pressure, up to a proof test at three quarters of the burst pressure.
         name
             Name in the files [that of the muscle or joint file].
         model
@@ -9140,7 +9243,7 @@ def fit_rubber(
     laws
         Laws by name, or `all` [all that the points determine].
     up_to_stretch
-        Leave out points beyond this stretch (3) or strain (200%).
+        Leave out points beyond this stretch (3) or strain (200%) [that of a muscle].
     relaxation
         Branches of a Prony series that is fitted as well, from a column of times. One specimen, uniaxial, from rest on. Of the one law of `laws`, else of
         the recommended one.

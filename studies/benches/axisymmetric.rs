@@ -9,7 +9,7 @@ use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use mckibben_core::model::{ForceModel, Workspace};
 use mckibben_core::muscle::Muscle;
 use mckibben_fem::axisymmetric::{Axisymmetric, Body, Discretisation, Mesh, MeshSpec, Problem};
-use mckibben_fem::simulation::{Detail, Given, ElementModel};
+use mckibben_fem::simulation::{Detail, ElementModel, Given};
 use mckibben_fem::solver::continuation::Continuation;
 use mckibben_fem::solver::curve::Curve;
 use mckibben_fem::solver::newton::NewtonSystem;
@@ -33,7 +33,10 @@ fn run_campaign(muscles: &[Muscle]) -> f64 {
     let pressures = pressures();
     let mut sum = 0.0;
     for muscle in muscles {
-        let (model, w) = (Axisymmetric::between_ends(muscle).unwrap(), &mut Workspace::new());
+        let (model, w) = (
+            Axisymmetric::between_ends(muscle).unwrap(),
+            &mut Workspace::new(),
+        );
         for e in [0.0, 0.05, 0.10, 0.15, 0.20] {
             sum += model
                 .isometric(w, e, &pressures, Detail::Point)
@@ -111,7 +114,10 @@ fn bench(c: &mut Criterion) {
     group.finish();
 
     let mut group = c.benchmark_group("one answer");
-    let (model, w) = (Axisymmetric::between_ends(&muscle).unwrap(), &mut Workspace::new());
+    let (model, w) = (
+        Axisymmetric::between_ends(&muscle).unwrap(),
+        &mut Workspace::new(),
+    );
     let mut i = 0_u32;
     group.bench_function("warm neighbour", |b| {
         b.iter(|| {

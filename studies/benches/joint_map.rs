@@ -1,7 +1,7 @@
 //! The map of an elbow over 100 × 100 pressures: goal 0.1 s by `universal`.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use mckibben_core::joint::{Joint, BoundJoint, JointMuscle, Link, Path};
+use mckibben_core::joint::{BoundJoint, Joint, JointMuscle, Link, Path};
 use mckibben_core::model::{ForceModel, ModelKind};
 use mckibben_core::muscle::Muscle;
 use mckibben_core::progress::Silent;

@@ -12,7 +12,9 @@ fn points(c: &mut Criterion) {
     let model = ThickWall::between_ends(&muscle);
     let w = &mut Workspace::new();
     let mut group = c.benchmark_group("thick_wall");
-    group.bench_function("build", |b| b.iter(|| ThickWall::between_ends(black_box(&muscle))));
+    group.bench_function("build", |b| {
+        b.iter(|| ThickWall::between_ends(black_box(&muscle)))
+    });
     group.bench_function("force", |b| {
         b.iter(|| model.force_n(w, black_box(0.25), black_box(0.1)))
     });

@@ -34,17 +34,25 @@ fn random(r: &mut Random) -> Option<(Muscle, f64)> {
         stiffness: BraidStiffness::NewtonPerMm(k),
         ..Braid::paper()
     };
-    Some((Muscle::new(tube, braid, Terminals::default(), None).ok()?, p))
+    Some((
+        Muscle::new(tube, braid, Terminals::default(), None).ok()?,
+        p,
+    ))
 }
 
 fn main() {
-    let count = std::env::args().nth(1).and_then(|n| n.parse().ok()).unwrap_or(500);
+    let count = std::env::args()
+        .nth(1)
+        .and_then(|n| n.parse().ok())
+        .unwrap_or(500);
     let mut r = Random(20);
     let mut errors: BTreeMap<&str, Vec<(f64, f64)>> = BTreeMap::new();
     for (muscle, p) in (0..count).filter_map(|_| random(&mut r)) {
         let mut rigid = muscle.braid().clone();
         rigid.stiffness = BraidStiffness::Inextensible;
-        let Ok(stiff) = muscle.with_braid(rigid) else { continue };
+        let Ok(stiff) = muscle.with_braid(rigid) else {
+            continue;
+        };
         let fe = |muscle| Axisymmetric::between_ends(muscle).ok();
         let Some((fe, stiff_fe)) = fe(&muscle).zip(fe(&stiff)) else {
             continue;
@@ -59,7 +67,8 @@ fn main() {
             named(ModelKind::ChouHannaford),
             named(ModelKind::ForceBalance),
         ];
-        let force = |model: &dyn ForceModel, e: f64| model.force_n(&mut Workspace::new(), p, e).ok();
+        let force =
+            |model: &dyn ForceModel, e: f64| model.force_n(&mut Workspace::new(), p, e).ok();
         let pull = |model: &dyn ForceModel, e: f64| force(model, e).filter(|f| *f > 0.0);
         let share = muscle.outer_diameter_mm() / muscle.length_mm();
         let largest = muscle.max_ideal_contraction();

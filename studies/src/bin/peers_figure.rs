@@ -63,7 +63,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
             pull = pull.series(series);
             if number == 1 {
-                let off_fe = line.iter().filter_map(|&(p, f)| Some((p, f - reference(p).ok()?)));
+                let off_fe = line
+                    .iter()
+                    .filter_map(|&(p, f)| Some((p, f - reference(p).ok()?)));
                 off = off.series(Series::line(name, off_fe).colour(number).style(*style));
             }
         }

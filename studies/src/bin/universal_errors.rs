@@ -4,13 +4,11 @@
 //! `cargo study universal_errors -- 150 7 docs/figures/universal.svg` takes the number of muscles, a
 //! seed, and a file for the share of points within an error.
 
+use mckibben_campaign::fit::universal::{Sample, drawn, held_out_samples, shares, summary};
 use mckibben_core::{
     analysis::bisect,
     model::{ForceModel, ModelKind, Workspace},
     rubber::{Gent, Law, NeoHookean, Ogden, RubberLaw, Yeoh},
-};
-use mckibben_campaign::fit::universal::{
-    Sample, drawn, held_out_samples, shares, summary,
 };
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_report::{Axis, Figure, Panel, Series};
@@ -37,7 +35,11 @@ fn main() -> Result<()> {
             let model = kind.build(&s.muscle)?;
             for p in &s.points {
                 let r = model.response(&mut Workspace::new(), p.pressure_mpa, p.contraction)?;
-                list.extend(r.volume_mm3.zip(p.volume_mm3).map(|(v, fe)| (v / fe - 1.0).abs()));
+                list.extend(
+                    r.volume_mm3
+                        .zip(p.volume_mm3)
+                        .map(|(v, fe)| (v / fe - 1.0).abs()),
+                );
             }
         }
         let [rms, p99, max] = of(&[list]);
@@ -47,7 +49,11 @@ fn main() -> Result<()> {
 }
 
 fn row(name: &str, samples: &[Sample], kind: ModelKind) {
-    let e = summary(&shares(samples, |s| kind.build(&s.muscle).ok(), |_, _| true));
+    let e = summary(&shares(
+        samples,
+        |s| kind.build(&s.muscle).ok(),
+        |_, _| true,
+    ));
     let [rms, p95, p99, max] = [e.rms, e.p95, e.p99, e.max].map(|v| 100.0 * v);
     println!("{name:<42} {rms:>7.3} {p95:>7.3} {p99:>7.3} {max:>7.2}");
 }
@@ -86,19 +92,30 @@ fn figure(samples: &[Sample]) -> Result<Figure> {
 fn rubber_laws(count: usize, seed: u64) {
     type Make = fn(f64, f64) -> Law;
     let laws: [(&str, Make); 4] = [
-        ("neo-hookean", |mu_mpa, _| Law::NeoHookean(NeoHookean { mu_mpa })),
+        ("neo-hookean", |mu_mpa, _| {
+            Law::NeoHookean(NeoHookean { mu_mpa })
+        }),
         ("yeoh", |mu, _| {
             let c10_mpa = 0.5 * mu;
-            Law::Yeoh(Yeoh { c10_mpa, c20_mpa: -0.007 * c10_mpa, c30_mpa: 2e-4 * c10_mpa })
+            Law::Yeoh(Yeoh {
+                c10_mpa,
+                c20_mpa: -0.007 * c10_mpa,
+                c30_mpa: 2e-4 * c10_mpa,
+            })
         }),
         ("ogden (Treloar's rubber)", |mu, _| {
             // Ogden 1972 [ogden1972], Treloar's rubber: μ = ½ Σ μi αi = 0.4143 MPa.
             let scale = mu / 0.414_319;
             let terms = [(0.6178, 1.3), (0.001_177, 5.0), (-0.009_807, -2.0)];
-            Law::Ogden(Ogden { terms: terms.iter().map(|&(m, a)| (m * scale, a)).collect() })
+            Law::Ogden(Ogden {
+                terms: terms.iter().map(|&(m, a)| (m * scale, a)).collect(),
+            })
         }),
         ("gent (jm 30 to 80)", |mu_mpa, unit| {
-            Law::Gent(Gent { mu_mpa, jm: 30.0 + 50.0 * unit })
+            Law::Gent(Gent {
+                mu_mpa,
+                jm: 30.0 + 50.0 * unit,
+            })
         }),
     ];
     for (name, law) in laws {
@@ -123,9 +140,10 @@ fn small_pressures(samples: &[Sample]) {
         let mut at_modulus = 0.0_f64;
         for s in samples {
             let mu = s.muscle.tube().rubber.law.shear_modulus_mpa();
-            let (Ok(fe), Ok(model)) =
-                (Axisymmetric::between_ends(&s.muscle), ModelKind::Universal.build(&s.muscle))
-            else {
+            let (Ok(fe), Ok(model)) = (
+                Axisymmetric::between_ends(&s.muscle),
+                ModelKind::Universal.build(&s.muscle),
+            ) else {
                 continue;
             };
             let force = |model: &dyn ForceModel, p: f64, e: f64| {

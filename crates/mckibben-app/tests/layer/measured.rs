@@ -130,7 +130,7 @@ fn the_test_sheet_is_read_back_by_identify() {
     let mut filled = text.replacen(",,,contraction,pressure", &hung, 1);
     assert_ne!(filled, text);
     for line in &points {
-        let [p, e, _, branch, _, distance] = line.split(',').collect::<Vec<_>>()[..] else {
+        let [p, e, _, branch, _, distance, ..] = line.split(',').collect::<Vec<_>>()[..] else {
             panic!("{line}")
         };
         let (pressure_mpa, contraction) = (p.parse().unwrap(), e.parse::<f64>().unwrap());
@@ -141,7 +141,7 @@ fn the_test_sheet_is_read_back_by_identify() {
         let force_n = pull_n(pressure_mpa, contraction);
         // The muscle pulls at every point of the test.
         assert!(force_n > 0.0, "{line}");
-        let row = format!("{p},{e},{force_n},{branch},force,{distance}");
+        let row = format!("{p},{e},{force_n},{branch},force,{distance},,,");
         filled = filled.replace(line, &row);
     }
     assert!(points.len() >= 12 && filled.contains("contraction") && filled.contains("elongation"));

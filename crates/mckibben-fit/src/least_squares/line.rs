@@ -27,4 +27,8 @@ impl Line {
             slope: together / square,
         }
     }
+
+    pub fn at(&self, x: f64) -> f64 {
+        self.mean_y + self.slope * (x - self.mean_x)
+    }
 }

@@ -45,7 +45,7 @@ fn points_of(
             Vec::from_iter(nearest(own, p, 0.05).copied())
         }
         Measurement::TenPulls => {
-            let free = predictor.free_contraction(p).unwrap();
+            let free = predictor.free_contraction(p);
             let mut list: Vec<DataPoint> = vec![];
             for i in 0..10 {
                 let pressure_mpa = if i < 5 { p } else { 0.5 * p };
