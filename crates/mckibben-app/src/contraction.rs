@@ -176,7 +176,7 @@ pub fn is_ratio(e: f64) -> bool {
 pub fn no_ratio(field: &str, e: f64) -> Problem {
     let message = format!("{e} is not a valid contraction ratio ΔL/L0, which lies below 1");
     // Less is a percentage that was read as one.
-    let hint = if e >= 2.0 && e < 100.0 {
+    let hint = if (2.0..100.0).contains(&e) {
         format!("write {e}% or {}", e / 100.0)
     } else {
         "write 15% or 0.15".to_owned()

@@ -473,7 +473,7 @@ fn add_start_pressures(model: &BoundJoint, rows: &mut [JointRow]) {
                 .map(|(kind, e)| (key(kind, e), e)),
         );
     }
-    let wanted = Vec::from_iter(wanted.into_iter());
+    let wanted = Vec::from_iter(wanted);
     let pressures = threads::map(&wanted, |&((kind, _), contraction)| {
         model.start_pressure_mpa(kind, &mut Workspace::new(), contraction)
     });

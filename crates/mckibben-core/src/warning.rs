@@ -255,28 +255,22 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
     let mut out = vec![];
     let mut warn = |kind, gravity, sentence| out.push(Warning::new(kind, gravity, sentence));
     if let Some((tension_n, strength_n)) = overloaded(muscle, response) {
-        warn(
-            StrandsBreak,
-            tension_n / strength_n,
-            format!(
-                "the strands break: at {:.3}\u{a0}MPa one of them carries {tension_n:.1}\u{a0}N, and \
+        let sentence = format!(
+            "the strands break: at {:.3}\u{a0}MPa one of them carries {tension_n:.1}\u{a0}N, and \
              its strength is {strength_n}\u{a0}N; what is broken does not pull",
-                response.pressure_mpa
-            ),
+            response.pressure_mpa
         );
+        warn(StrandsBreak, tension_n / strength_n, sentence);
     } else if let Some((share, most)) = strand_load(muscle, response)
         && share > most
     {
-        warn(
-            StrandTension,
-            share,
-            format!(
-                "the strands carry {:.0} % of their strength: {:.0} % is allowed; lower the load or \
+        let sentence = format!(
+            "the strands carry {:.0} % of their strength: {:.0} % is allowed; lower the load or \
              the pressure",
-                100.0 * share,
-                100.0 * most
-            ),
+            100.0 * share,
+            100.0 * most
         );
+        warn(StrandTension, share, sentence);
     }
     if let Some(strain) = response
         .braid_tension_n

@@ -166,6 +166,7 @@ impl Demand {
     }
 
     /// The same over a share of the way; the torques of a joint have theirs from its angles.
+    #[must_use]
     pub fn shorter(&self, share: f64) -> Self {
         self.scaled(1.0, share)
     }

@@ -37,6 +37,7 @@ use mckibben_fem::{
     three_dimensional::ThreeDimensional,
     with_ends,
 };
+use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -147,6 +148,25 @@ impl Meshed {
         };
         shape.map_err(Problem::from)
     }
+
+    /// Adds three-dimensional elements at rest and in a state to a figure.
+    fn draw(
+        &self,
+        figure: &mut Figure,
+        workspace: &mut Workspace,
+        ends: &Ends,
+        last: &Response,
+    ) -> Result<()> {
+        if let Self::Axisymmetric(_) = self {
+            return Ok(());
+        }
+        figure.columns = 2;
+        for (title, r) in [("mesh and loads", &Response::default()), ("deformed", last)] {
+            let shape = self.shape(workspace, ends, r, Extent::Eighth)?;
+            figure.panels.push(figure::mesh(title, &shape));
+        }
+        Ok(())
+    }
 }
 
 /// Most points of a test.
@@ -198,33 +218,25 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         progress.check()?;
         let mut point = solved(&*simulation, workspace, requested, request.two_sided)?;
         if let Ok(Solution { response, .. }) = &point.solution {
-            let at = as_built.point(
-                requested.pressure_mpa,
-                requested.contraction.unwrap_or(response.contraction),
-            );
+            let contraction = requested.contraction.unwrap_or(response.contraction);
+            let at = as_built.point(requested.pressure_mpa, contraction);
             point.built = at.ok().and_then(|at| at.built);
         }
         if let (Ok(solution), Some(files)) = (&point.solution, &mut files) {
-            files.add(
-                meshed.shape(workspace, &ends, &solution.response, extent)?,
-                &solution.response,
-            )?;
+            let shape = meshed.shape(workspace, &ends, &solution.response, extent)?;
+            files.add(shape, &solution.response)?;
         }
         simulated.push(point);
     }
     let problem = all_failed(&simulated);
     let figure = request.figure.as_ref().filter(|_| problem.is_none());
     let mut figure = figure.map(|unit| figure::simulate(&summary, request.test, &simulated, unit));
-    let mut solved = simulated.iter().filter_map(|s| s.solution.as_ref().ok());
-    if let (Some(figure), Meshed::ThreeDimensional(_), Some(last)) =
-        (&mut figure, &meshed, solved.next_back())
-    {
-        figure.columns = 2;
-        let rest = &Response::default();
-        for (title, r) in [("mesh and loads", rest), ("deformed", &last.response)] {
-            let shape = meshed.shape(workspace, &ends, r, Extent::Eighth)?;
-            figure.panels.push(figure::mesh(title, &shape));
-        }
+    let last = simulated
+        .iter()
+        .rev()
+        .find_map(|s| s.solution.as_ref().ok());
+    if let (Some(figure), Some(last)) = (&mut figure, last) {
+        meshed.draw(figure, workspace, &ends, &last.response)?;
     }
     let pulling = simulated
         .iter()

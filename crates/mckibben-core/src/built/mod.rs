@@ -60,6 +60,17 @@ pub const HALF_95: f64 = 1.96;
 /// Standard deviation of a stated law of friction, over the half-width that it gives.
 const FRICTION_LAW: f64 = 0.41;
 
+/// Standard deviation of a law of friction, over the half-width that it gives.
+fn friction_deviation(predictor: &Predictor) -> f64 {
+    let friction = Constant::Friction as usize;
+    let share = predictor.centre[friction];
+    if predictor.is_identified && share > 0.0 {
+        predictor.covariance[friction][friction].sqrt() / share
+    } else {
+        FRICTION_LAW
+    }
+}
+
 /// What a muscle that is built will pull.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Built {
@@ -154,9 +165,10 @@ impl Evaluation<'_> {
         force_n: f64,
     ) -> Option<(Built, UncertaintyParts)> {
         let muscle = Arc::clone(&self.model.info().muscle);
-        let model = &self.model.info().name;
         // The error of the model is in the points by which its own constants were found.
-        let is_own = muscle.bench().is_some_and(|bench| bench.model == *model);
+        let is_own = muscle
+            .bench()
+            .is_some_and(|bench| bench.model == self.model.info().name);
         let formula = self.formula_n(pressure_mpa)?.filter(|_| !is_own);
         let predicted_direction = working_direction(&muscle, self.options.direction);
         let sign = predicted_direction.sign();
@@ -177,18 +189,10 @@ impl Evaluation<'_> {
         let mut covariance = predictor.covariance.clone();
         let friction = Constant::Friction as usize;
         let friction_n = if muscle.friction().is_some() {
-            let options = Options::from(predicted_direction);
-            let n = self
-                .with(options)
-                .friction_n(pressure_mpa, contraction)
-                .ok()?;
+            let mut of_branch = self.with(Options::from(predicted_direction));
+            let n = of_branch.friction_n(pressure_mpa, contraction).ok()?;
             at.slopes[friction] = n;
-            let share = predictor.centre[friction];
-            let relative = if predictor.is_identified && share > 0.0 {
-                covariance[friction][friction].sqrt() / share
-            } else {
-                FRICTION_LAW
-            };
+            let relative = friction_deviation(predictor);
             covariance[friction] = [0.0; Constant::ALL.len()];
             covariance.iter_mut().for_each(|row| row[friction] = 0.0);
             covariance[friction][friction] = relative * relative;
@@ -212,6 +216,7 @@ impl Evaluation<'_> {
         };
         let largest_n = predictor.learnt.as_ref().map_or(0.0, |l| l.largest_n);
         let single = learnt::SINGLE * largest_n.max(at.place.blocked_n);
+        let scale = HALF_95 * predictor.variance_factor.sqrt();
         let scale_n = self
             .model
             .blocked_scale_n(self.workspace, pressure_mpa)
@@ -227,9 +232,7 @@ impl Evaluation<'_> {
                     scale_n.abs(),
                 )
             }),
-            measured: Some(
-                HALF_95 * predictor.variance_factor.sqrt() * variance.sqrt().hypot(single),
-            ),
+            measured: Some(scale * variance.sqrt().hypot(single)),
             ..UncertaintyParts::of_constants(&slopes, &covariance, predictor.is_identified)
                 .with_rubber(predictor.limit_n(pressure_mpa, contraction))
                 .with_beyond(beyond_n)

@@ -194,9 +194,7 @@ impl SleeveRow {
             match (nominal_mm.zip(angle), least.zip(largest), least.zip(width)) {
                 (Some((diameter, angle)), _, _) => (Helix::at(diameter, angle), OF_ANGLE),
                 (None, Some((least, largest)), _) => (Helix::jammed_at(least, largest), OF_RANGE),
-                (None, None, Some((least, width))) => {
-                    (Helix::jammed_at_least(least, width), OF_LEAST)
-                }
+                (None, None, Some((d, width))) => (Helix::jammed_at_least(d, width), OF_LEAST),
                 (None, None, None) => (None, OF_ANGLE),
             };
         let helix = helix.ok_or("nothing that gives a helix")?;
@@ -206,7 +204,7 @@ impl SleeveRow {
             .or(jams.map(|j| j.0))
             .zip(largest.or(jams.map(|j| j.1)))
             .ok_or("no range")?;
-        let stated = Sleeve {
+        let mut stated = Sleeve {
             strands,
             filaments,
             strand_diameter_mm,
@@ -222,10 +220,9 @@ impl SleeveRow {
             })
         };
         // The range of a family is a rule, not that of a sleeve.
-        let stated = Sleeve {
-            count_factor: size.map_or(stated.count_factor, |_| ESTIMATE_FACTOR),
-            ..stated
-        };
+        if size.is_some() {
+            stated.count_factor = ESTIMATE_FACTOR;
+        }
         let mut sleeve = match modulus_of {
             Some(material) => estimated(stated, material, self.factor.map(f64::from)),
             None => stated,

@@ -80,19 +80,14 @@ impl PronyFit {
 pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<PronyFit> {
     check(history)?;
     let points = history.len();
-    let duration_s = history
-        .first()
-        .zip(history.last())
-        .map_or(0.0, |(a, b)| b.time_s - a.time_s);
+    let ends = history.first().zip(history.last());
+    let duration_s = ends.map_or(0.0, |(a, b)| b.time_s - a.time_s);
     let too_few = OverTimeFitError::Refused(format!(
         "{points} points over {duration_s} s do not determine {branches} branches; take fewer \
          branches or a longer test"
     ));
-    if branches == 0
-        || branches > 8
-        || points < form.fewest_points() + 4 * branches
-        || duration_s <= 0.0
-    {
+    let is_enough = points >= form.fewest_points() + 4 * branches && duration_s > 0.0;
+    if !(1..=8).contains(&branches) || !is_enough {
         return Err(too_few);
     }
     // The shortest time that the data resolve: a median step.

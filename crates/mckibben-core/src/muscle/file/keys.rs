@@ -246,8 +246,7 @@ fn list(schema: &Value) -> &Value {
         .as_array()
         .into_iter()
         .flatten()
-        .filter(|choice| choice["type"] == "array")
-        .next()
+        .find(|choice| choice["type"] == "array")
         .unwrap_or(schema)
 }
 
