@@ -180,10 +180,8 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         request.forces_n.is_some(),
     )?;
     if request.test == Test::Isotonic {
-        Problem::refuse_unused(
-            &[("of_largest", request.of_largest)],
-            "`test` isotonic takes pulls (`forces_n`), and no contractions",
-        )?;
+        let why = "`test` isotonic takes pulls (`forces_n`), and no contractions";
+        Problem::refuse_unused(&[("of_largest", request.of_largest)], why)?;
     }
     let muscle = request.muscle.resolve()?;
     let model = request.model.choose()?;
@@ -238,13 +236,9 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     if let (Some(figure), Some(last)) = (&mut figure, last) {
         meshed.draw(figure, workspace, &ends, &last.response)?;
     }
-    let pulling = simulated
-        .iter()
-        .filter(|s| !s.slack)
-        .filter_map(|s| s.solution.as_ref().ok());
-    let mut warnings = warnings::of_responses(&muscle, pulling.map(|s| &s.response));
     let burst = burst_of(&model, &*simulation)?;
     let highest_mpa = peak(questions.iter().map(|q| q.pressure_mpa));
+    let mut warnings = said(&muscle, &simulated);
     warnings.extend(Warning::not_measured(&muscle, highest_mpa));
     Warning::put_first(&mut warnings, burst.warnings(highest_mpa));
     Ok(SimulateAnswer {
@@ -260,6 +254,13 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         problem,
         simulated,
     })
+}
+
+/// What points that pull warn of.
+fn said(muscle: &Muscle, simulated: &[Simulated]) -> Vec<Warning> {
+    let pulling = simulated.iter().filter(|s| !s.slack);
+    let solved = pulling.filter_map(|s| s.solution.as_ref().ok());
+    warnings::of_responses(muscle, solved.map(|s| &s.response))
 }
 
 impl SimulateRequest {
