@@ -162,7 +162,9 @@ fn the_softening_of_a_rubber_stands_in_its_muscle_file() {
         ("m_mpa", written.m_mpa, m),
         ("beta", written.beta, beta),
     ] {
-        assert_eq!(answer["softening"][key], json!(written), "{key}");
+        // A file has fifteen digits of a number.
+        let answered = answer["softening"][key].as_f64().unwrap();
+        assert!((written / answered - 1.0).abs() < 1e-14, "{key}: {written}");
         assert!((written / made - 1.0).abs() < 0.01, "{key}: {written}");
     }
     // The law beside it is that of the first loading.
