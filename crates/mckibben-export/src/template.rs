@@ -1,11 +1,11 @@
 //! Numbers and lists in the texts of the hosts.
-use mckibben_core::{joined, units::saved};
+use mckibben_core::joined;
 
 pub use mckibben_io::template::render;
 
-/// A number in any of the hosts' languages.
+/// A number that reads back to the last bit, in any of the hosts' languages.
 pub fn number(value: f64) -> String {
-    format!("{:e}", saved(value))
+    format!("{value:e}")
 }
 
 /// A list between brackets, each number by `one`.

@@ -15,9 +15,11 @@ pub fn tidy(v: f64, digits: i32) -> f64 {
     rounded(v, digits, f64::round)
 }
 
-/// A number with the fifteen digits that a double has of every decimal one: what is saved.
+/// A number as it is saved: of twelve digits where it differs from those by rounding alone.
 pub fn saved(v: f64) -> f64 {
-    format!("{v:.14e}").parse().unwrap_or(v)
+    let short: f64 = format!("{v:.11e}").parse().unwrap_or(v);
+    let is_noise = (short - v).abs() <= 4.0 * f64::EPSILON * v.abs();
+    if is_noise { short } else { v }
 }
 
 /// The same by another rule: `f64::floor` gives a number that is not above `v`, `f64::ceil` one

@@ -212,8 +212,8 @@ prop_compose! {
 }
 
 proptest! {
-    /// Saved numbers have fifteen digits: what is read is off by half a unit of the last of them, 5e-15,
-    /// and is written as the same text.
+    /// What a saved number loses is rounding: what is read is off by 1e-15, and is written as the same
+    /// text.
     #[test]
     fn what_is_written_reads_back_as_the_same_muscle(muscle in muscle()) {
         let text = to_toml(&muscle);
@@ -238,7 +238,7 @@ proptest! {
         for word in values.flat_map(|v| v.split(|c: char| !(c.is_ascii_digit() || ".eE-+".contains(c)))) {
             let mantissa = word.split(['e', 'E']).next().unwrap().trim_start_matches(['-', '0', '.']);
             let digits = mantissa.chars().filter(char::is_ascii_digit).count();
-            prop_assert!(digits <= 15, "{} in {}", word, text);
+            prop_assert!(digits <= 17, "{} in {}", word, text);
         }
     }
 

@@ -6,7 +6,11 @@ fn read_with(text: &str, columns: &str) -> Result<(Vec<DataPoint>, Understood), 
     read_points(
         text,
         &PointOptions {
-            columns: Columns::parse(columns).unwrap(),
+            columns: if columns.is_empty() {
+                Columns::default()
+            } else {
+                Columns::parse(columns).unwrap()
+            },
             rest_length_mm: Some(L0),
             log: None,
         },
