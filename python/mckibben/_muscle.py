@@ -275,7 +275,8 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             parts = row.pop("uncertainty_parts_n", {}).items()
             row |= {f"uncertainty_{name}_n": part for name, part in parts}
             row["warned"] = sum(1 << texts.index(text) for text in set(of_row))
-            row.pop("predicted_direction", None)
+            for name in ("direction", "predicted_direction"):
+                row.pop(name, None)
         made = _api.Solution._read(
             {
                 **dict.fromkeys(usual, ()),

@@ -128,10 +128,8 @@ impl Model {
             ..Many::default()
         };
         let mut place = [f64::NAN];
-        Ok((
-            place[0],
-            self.answer(py, [&[first], &[second]], &many, &mut place, None)?,
-        ))
+        let said = self.answer(py, [&[first], &[second]], &many, &mut place, None)?;
+        Ok((place[0], said))
     }
 }
 
