@@ -874,6 +874,8 @@ class CandidateAnswer(Record):
         Lower of the pressures between which nine of ten of those end that do, MPa.
     pressure_high_mpa : MPa
         Upper of these, MPa.
+    proof_pressure_mpa : MPa
+        Pressure of the proof test with water, stretched, MPa; none where none fits above the upper of these.
     highest_pressure_mpa : MPa
         Highest pressure in MPa that supply and muscle allow: all that is said of the maximum pressure is of this one.
     margin
@@ -942,6 +944,7 @@ class CandidateAnswer(Record):
     pressure_mpa: float
     pressure_low_mpa: float | None
     pressure_high_mpa: float | None
+    proof_pressure_mpa: float | None
     highest_pressure_mpa: float
     margin: float
     width_mm: float
@@ -1005,8 +1008,8 @@ class CandidateEnds(Record):
     ----------
     ends
         How they hold tube and sleeve.
-    end_load_n : N
-        Load of each at the largest pressure that it takes to be sure, N: the blocked force, and the pressure on the bore.
+    proof_end_load_n : N
+        Load of each in the proof test, N: the pull, and the pressure on the bore.
     end_diameter_mm : mm
         Largest diameter of plugs and clamps, mm.
     ends_mass_g : g
@@ -1014,7 +1017,7 @@ class CandidateEnds(Record):
     """
 
     ends: Literal["crimped", "clamped", "tied"]
-    end_load_n: float
+    proof_end_load_n: float
     end_diameter_mm: float
     ends_mass_g: float
 
@@ -1356,6 +1359,8 @@ class ChoiceAnswer(Record):
         Lower of the pressures between which nine of ten of those end that do, MPa.
     pressure_high_mpa : MPa
         Upper of these, MPa.
+    proof_pressure_mpa : MPa
+        Pressure of the proof test with water, stretched, MPa; none where none fits above the upper of these.
     highest_pressure_mpa : MPa
         Highest pressure in MPa that supply and muscle allow: all that is said of the maximum pressure is of this one.
     margin
@@ -1428,6 +1433,7 @@ class ChoiceAnswer(Record):
     pressure_mpa: float
     pressure_low_mpa: float | None
     pressure_high_mpa: float | None
+    proof_pressure_mpa: float | None
     highest_pressure_mpa: float
     margin: float
     width_mm: float
@@ -2031,6 +2037,7 @@ class Design(_record.Designed):
                 "pressure_mpa",
                 "pressure_low_mpa",
                 "pressure_high_mpa",
+                "proof_pressure_mpa",
                 "highest_pressure_mpa",
                 "margin",
                 "width_mm",

@@ -14,11 +14,11 @@ use crate::{
 use base64::{Engine as _, engine::general_purpose::STANDARD};
 pub use mckibben_build::is_blank_sheet;
 use mckibben_build::{
-    BuildPart, Content, Cut, EndLoads, File, Operating, Plan, PullAt, STRETCH, Safety, Shown,
-    TestPoint, ToMeasure, Wishes, relief_mpa,
+    BuildPart, Content, Cut, EndLoads, File, Operating, Plan, PullAt, Safety, Shown, TestPoint,
+    ToMeasure, Wishes, relief_mpa,
 };
 use mckibben_core::{
-    analysis::{Burst, Evaluation},
+    analysis::{Burst, Evaluation, STRETCH},
     answer::Options,
     built::{Built, Left},
     cancel,
@@ -415,7 +415,11 @@ fn operating(
         .volume_mm3
         .unwrap_or_else(|| muscle.rest_volume_mm3());
     let allowed_mpa = burst.allowed().map_or(f64::INFINITY, |allowed| allowed.mpa);
-    let relief_mpa = relief_mpa(pressure_mpa, allowed_mpa);
+    let highest_mpa = match given_mpa {
+        Some(given_mpa) => given_mpa,
+        None => muscle.highest_set_mpa().unwrap_or(pressure_mpa),
+    };
+    let relief_mpa = relief_mpa(highest_mpa, allowed_mpa);
     let job = muscle.job().into_iter().flat_map(|job| &job.points);
     let longest = job
         .map(|point| f64::from(point.contraction))
@@ -424,7 +428,7 @@ fn operating(
         direction: Direction::Elongation,
         ..in_use
     });
-    let proof_mpa = proof_mpa(&burst, &mut lengthening, pressure_mpa)?;
+    let proof_mpa = proof_mpa(&burst, &mut lengthening, highest_mpa)?;
     let mut pull = |mpa, contraction| pull_at(&mut lengthening, mpa, contraction);
     let [used, stretched, proof] = [
         pull(relief_mpa, longest.unwrap_or_default())?,
@@ -434,6 +438,7 @@ fn operating(
     let operating = Operating {
         model: model.info().name.to_string(),
         pressure_mpa,
+        highest_mpa,
         blocked_force_n,
         branch: in_use.direction,
         free_contraction: free,

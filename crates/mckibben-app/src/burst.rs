@@ -2,15 +2,11 @@
 //! before all others.
 
 use crate::{Model, Problem, ProblemKind, Result, Units, number, print::Rows};
-use mckibben_build::STRETCH;
 pub use mckibben_core::analysis::PressureLimits;
 use mckibben_core::{
-    analysis::{
-        AnalysisError, Burst, Evaluation, NoBurst, PROOF_TO_BURST, RELIEF, burst,
-        burst::ends::clamp_load_n,
-    },
+    analysis::{AnalysisError, Burst, Evaluation, NoBurst, RELIEF, burst},
     cancel,
-    model::{ForceModel, ModelError, Response},
+    model::{ForceModel, ModelError},
     muscle::Muscle,
     units::rounded,
 };
@@ -119,51 +115,22 @@ pub fn borne(found: &Burst, pressure_mpa: f64) -> Result<()> {
     Err(Problem::new(ProblemKind::OutOfRange, said, hint).in_field("pressure_mpa"))
 }
 
-/// The pressure in MPa of the proof test of a muscle that works at one in MPa. Stretched in it, its
-/// strands and ends carry at most the share of what they bear that a proof is of the burst pressure.
+/// The pressure in MPa of the proof test of a muscle that works at one in MPa.
 pub fn proof_mpa(found: &Burst, evaluation: &mut Evaluation<'_>, pressure_mpa: f64) -> Result<f64> {
-    let none = |limit_mpa: f64| {
-        let message = format!(
-            "no proof test fits above {pressure_mpa}\u{a0}MPa: a tenth more loads strands or ends beyond \
-             their limit"
-        );
-        let most = rounded(limit_mpa / RELIEF, 3, f64::floor);
-        let hint = format!("give a `pressure_mpa` of at most {most}\u{a0}MPa, or stronger strands");
-        ProblemKind::OutOfRange
-            .problem(message)
-            .in_field("pressure_mpa")
-            .with_hint(hint)
-    };
-    let strained_mpa = found.strained.mpa().unwrap_or(f64::INFINITY);
-    let proof_mpa = found.proof_mpa(pressure_mpa);
-    let mut proof_mpa = proof_mpa.ok_or_else(|| none(strained_mpa))?;
-    // The load is nearly in proportion to the pressure.
-    for _ in 0..4 {
-        let stretched = evaluation.response(proof_mpa, -STRETCH)?;
-        let share = borne_share(evaluation.model.muscle(), &stretched);
-        if share <= PROOF_TO_BURST {
-            break;
-        }
-        proof_mpa *= PROOF_TO_BURST / share;
+    let proof_mpa = found.stretched_proof_mpa(evaluation, pressure_mpa)?;
+    if Burst::is_proof(proof_mpa, pressure_mpa) {
+        return Ok(proof_mpa);
     }
-    if proof_mpa < RELIEF * pressure_mpa * (1.0 - 1e-9) {
-        return Err(none(proof_mpa));
-    }
-    Ok(proof_mpa)
-}
-
-/// What strands and ends carry in a state, over the least that they bear, the larger one.
-fn borne_share(muscle: &Muscle, state: &Response) -> f64 {
-    let strands = muscle.braid().strands;
-    let strength_n = strands.and_then(|s| Some(s.strength_n? / s.load_factor()));
-    let load_n = clamp_load_n(muscle, state.force_n, state.pressure_mpa);
-    [
-        (state.strand_tension_n, strength_n),
-        (Some(load_n), muscle.terminals().pull_off_n),
-    ]
-    .into_iter()
-    .filter_map(|(n, bears)| Some(n? / bears?))
-    .fold(0.0, f64::max)
+    let message = format!(
+        "no proof test fits above {pressure_mpa}\u{a0}MPa: a tenth more loads strands or ends beyond \
+         their limit"
+    );
+    let most = rounded(proof_mpa / RELIEF, 3, f64::floor);
+    let hint = format!("give a `pressure_mpa` of at most {most}\u{a0}MPa, or stronger strands");
+    Err(ProblemKind::OutOfRange
+        .problem(message)
+        .in_field("pressure_mpa")
+        .with_hint(hint))
 }
 
 /// What a muscle bears, in rows.

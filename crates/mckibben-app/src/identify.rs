@@ -235,6 +235,7 @@ fn job_of(job: &Job, found: &Muscle, choice: &Model) -> Result<Job> {
     let pressure = Positive::new(set_mpa.min(most_mpa).into());
     Ok(Job {
         pressure: pressure.unwrap_or(job.pressure),
+        highest: None,
         ..job.clone()
     })
 }

@@ -1,7 +1,7 @@
 //! The build sheet: tools, cut list, steps to tick, as-built values.
 
 use crate::{
-    Plan, STRETCH, SleeveLength,
+    Plan, SleeveLength,
     cut::TRIM_MM,
     ends::{BOLT_MM, BOLT_NM, FERRULE_ROOM_MM, Press},
     material::{consumables, density_kg_per_m3},
@@ -10,6 +10,7 @@ use crate::{
     sketch,
     text::{mm, percent, significant},
 };
+use mckibben_core::analysis::STRETCH;
 use mckibben_core::muscle::EndsMade::{Clamped, Crimped, Tied};
 use mckibben_report::{
     Document,

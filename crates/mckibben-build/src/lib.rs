@@ -44,7 +44,7 @@ pub use plan::{EndParts, Plan, Wishes};
 pub use plug::{Bolt, Material, Plug, Port, Stress};
 #[doc(hidden)]
 pub use safety::energy_j;
-pub use safety::{EndLoads, Operating, PullAt, STRETCH, Safety, ToMeasure, relief_mpa};
+pub use safety::{EndLoads, Operating, PullAt, Safety, ToMeasure, relief_mpa};
 pub use shown::Shown;
 pub use stem::Stem;
 pub use test_points::{TestPoint, is_blank_sheet};

@@ -1,7 +1,7 @@
 //! All numbers of a build.
 
 use crate::{
-    BuildPart, Cut, EndLoads, Fitting, Operating, PullAt, STRETCH, Safety, TestPoint,
+    BuildPart, Cut, EndLoads, Fitting, Operating, PullAt, Safety, TestPoint,
     ends::{Clamped, Ends, SQUEEZE},
     material,
     plug::{ALUMINIUM, PETG, Plug},
@@ -11,7 +11,7 @@ use crate::{
     text::{percent, significant},
 };
 use mckibben_core::{
-    analysis::{BUCKLING, PROOF_TO_WORKING},
+    analysis::{BUCKLING, PROOF_TO_WORKING, STRETCH},
     model::Response,
     muscle::{EndsMade, Muscle, Terminals},
     refused::Refused,
@@ -351,7 +351,7 @@ impl EndParts {
 
 /// A proof test that the burst pressure lowers must still load the ends with more than use does.
 fn refuse_unproved(operating: &Operating, loads: &EndLoads, shown: &Shown) -> Result<(), Refused> {
-    let [working_mpa, proof_mpa] = [operating.pressure_mpa, operating.proof.pressure_mpa];
+    let [working_mpa, proof_mpa] = [operating.highest_mpa, operating.proof.pressure_mpa];
     let is_lowered = proof_mpa < PROOF_TO_WORKING * working_mpa * (1.0 - 1e-9);
     let is_proved = loads.proof_to_use >= LEAST_PROOF && loads.proof_to_stretched >= 1.0;
     Refused::unless(is_proved || !is_lowered, ["pressure_mpa"], || {

@@ -1,11 +1,15 @@
 //! The first page of the folder: the job, the verdict, what to heed, the order of work.
 
 use crate::{
-    Plan, STRETCH,
+    Plan,
     safety::PullAt,
     text::{percent, significant},
 };
-use mckibben_core::{analysis::PROOF_TO_WORKING, clean, joined, units::rounded};
+use mckibben_core::{
+    analysis::{PROOF_TO_WORKING, STRETCH},
+    clean, joined,
+    units::rounded,
+};
 use mckibben_io::files::File;
 
 impl Plan {
@@ -78,16 +82,18 @@ impl Plan {
     /// What people must heed.
     pub(crate) fn stops(&self) -> Vec<String> {
         let (safety, shown) = (&self.safety, &self.shown);
-        let times = safety.proof_pressure_mpa / safety.pressure_mpa;
+        let highest_mpa = self.operating.highest_mpa;
+        let times = safety.proof_pressure_mpa / highest_mpa;
         let least = match times < PROOF_TO_WORKING {
             true => ", as far as burst pressure and strands allow",
             false => "",
         };
         let order = format!(
-            "First the proof test with water, {} ({} times the working pressure{least}), stretched by \
-             {}; never with air. In use never above {}.",
+            "First the proof test with water, {} ({} times {}, the highest that is set{least}), \
+             stretched by {}; never with air. In use never above {}.",
             shown.pressure(safety.proof_pressure_mpa),
             significant(times, 3),
+            shown.pressure(highest_mpa),
             percent(STRETCH),
             shown.pressure(self.highest_mpa())
         );

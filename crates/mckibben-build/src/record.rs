@@ -1,6 +1,7 @@
 //! The test record: what is expected, and room for what was measured.
 
-use crate::{Plan, PullAt, STRETCH, build_sheet::grid};
+use crate::{Plan, PullAt, build_sheet::grid};
+use mckibben_core::analysis::STRETCH;
 use mckibben_core::{extremes::peak, units::rounded};
 use mckibben_report::{Document, Part};
 

@@ -3,7 +3,7 @@
 //!
 //! A muscle pulls hardest while it lengthens, at its longest, at the pressure that its relief valve
 //! lets through. So the proof test raises the pressure with the length held at L0, and then stretches
-//! the muscle by [`STRETCH`], by the nuts of the frame: on the branch of lengthening too.
+//! the muscle by [`STRETCH`](mckibben_core::analysis::STRETCH), by the nuts of the frame: on the branch of lengthening too.
 
 use mckibben_core::{
     analysis::{ATMOSPHERE_MPA, PressureLimits, RELIEF, burst::ends::clamp_load_n},
@@ -12,15 +12,14 @@ use mckibben_core::{
     units::rounded,
 };
 
-/// By this share of L0 the proof test stretches a muscle: a choice.
-pub const STRETCH: f64 = 0.02;
-
 /// Results of a model for the muscle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Operating {
     pub model: String,
     /// Working pressure in MPa.
     pub pressure_mpa: f64,
+    /// The highest that its job sets, MPa.
+    pub highest_mpa: f64,
     /// Blocked force there in N, on the branch of its job.
     pub blocked_force_n: f64,
     /// The branch of its job.
@@ -33,7 +32,7 @@ pub struct Operating {
     /// Its largest pull in the stated use, while it lengthens: at the relief pressure, at the longest
     /// length of its job, else at L0.
     pub in_use: PullAt,
-    /// Its pull at the relief pressure, stretched by [`STRETCH`].
+    /// Its pull at the relief pressure, stretched.
     pub stretched: PullAt,
     /// The same at the pressure of the proof test.
     pub proof: PullAt,

@@ -1,11 +1,12 @@
 //! Sketches for the steps: an end in section, and the frame of the proof test.
 
 use crate::{
-    Plan, STRETCH,
+    Plan,
     build_sheet::FACES_MM,
     drawing::{MuscleBody, clamps, on_plug},
     view::View,
 };
+use mckibben_core::analysis::STRETCH;
 use mckibben_report::{
     Anchor::Start,
     DrawingSheet,

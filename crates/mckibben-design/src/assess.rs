@@ -3,16 +3,16 @@
 //!
 //! Everything that a design asks of a muscle at a pressure is asked here.
 
-use crate::{Build, OperatingPoint, Spec};
+use crate::{Build, Ends, OperatingPoint, Precision, Spec};
 use mckibben_core::{
     analysis::{
-        Allowed, AnalysisError, Burst, Evaluation, FailureMode, NoBurst, Options, RELIEF, bisect,
-        burst_below, find_root, root_near,
+        Allowed, AnalysisError, Burst, Evaluation, FailureMode, NoBurst, Options, RELIEF, STRETCH,
+        bisect, burst::ends::clamp_load_n, burst_below, find_root, root_near,
     },
     built::{Built, HALF_95},
     cancel,
     model::{ForceModel, ModelError, ModelKind, Response, Result, Workspace},
-    muscle::Muscle,
+    muscle::{Direction, Muscle},
     rubber::over_time::erf,
 };
 
@@ -173,6 +173,33 @@ impl<'a> Assessed<'a> {
             held_n,
             spread: built.map(|b| (b.predicted_n, b.half_n() / HALF_95)),
         })
+    }
+
+    /// The pressure in MPa below which a share of all muscles meets every point of one.
+    pub fn needed_mpa(&mut self, wanted: &[OperatingPoint], share: f64) -> Option<f64> {
+        let z = normal_deviations(share.max(5e-5));
+        let mut needs_mpa = 0.0_f64;
+        for q in wanted {
+            needs_mpa = needs_mpa.max(self.need_mpa(q, Some(z)).ok()?);
+        }
+        Some(needs_mpa)
+    }
+
+    /// The ends that bear a proof test at a pressure in MPa.
+    pub fn proved_ends(&mut self, proof_mpa: f64) -> Option<Ends> {
+        let ends = self.spec.ends?;
+        let lengthening = Options {
+            direction: Direction::Elongation,
+            ..self.spec.options()
+        };
+        let mut model = self.evaluation();
+        let point = model.with(lengthening).point(proof_mpa, -STRETCH).ok()?;
+        let pulls_n = match point.built {
+            Some(built) => [built.predicted_n, built.predicted_high_n],
+            None => [point.response.force_n; 2],
+        };
+        let load_n = |n: f64| clamp_load_n(self.muscle, n.max(0.0), proof_mpa);
+        ends(self.muscle, pulls_n.map(load_n), Precision::Exact)
     }
 
     /// Refuses a point outside of the model's range.

@@ -1,11 +1,6 @@
 //! A muscle that does what is required: all that is said of it.
 
-use crate::{
-    Ends, OperatingPoint,
-    assess::{Assessed, normal_deviations},
-    held::Held,
-    limits::Check,
-};
+use crate::{Ends, OperatingPoint, assess::Assessed, held::Held, limits::Check};
 use mckibben_core::{
     analysis::{Allowed, Burst, Evaluation, burst},
     built::Built,
@@ -87,6 +82,9 @@ pub struct Candidate {
     pub pressure_low_mpa: Option<f64>,
     /// Upper of these, MPa.
     pub pressure_high_mpa: Option<f64>,
+    /// Pressure of the proof test with water, stretched, MPa; none where none fits above the upper
+    /// of these.
+    pub proof_pressure_mpa: Option<f64>,
     /// Highest pressure in MPa that supply and muscle allow: all that is said of the maximum
     /// pressure is of this one.
     pub highest_pressure_mpa: f64,
@@ -109,7 +107,7 @@ pub struct Candidate {
 }
 
 /// Of those that do, nine of ten need a pressure between these shares.
-const NINE_OF_TEN: [f64; 2] = [0.05, 0.95];
+pub(crate) const NINE_OF_TEN: [f64; 2] = [0.05, 0.95];
 
 impl Candidate {
     /// All that is known of a muscle that was held against its specification.
@@ -128,15 +126,8 @@ impl Candidate {
         for q in &wanted {
             points.push(point_of(assessed, *q)?);
         }
-        let mut pressure = |share: f64| {
-            let z = normal_deviations(share * held.chance?.max(1e-3));
-            let mut needs_mpa = 0.0_f64;
-            for q in &wanted {
-                needs_mpa = needs_mpa.max(assessed.need_mpa(q, Some(z)).ok()?);
-            }
-            Some(needs_mpa)
-        };
-        let [pressure_low_mpa, pressure_high_mpa] = NINE_OF_TEN.map(&mut pressure);
+        let [pressure_low_mpa, pressure_high_mpa] =
+            NINE_OF_TEN.map(|share| assessed.needed_mpa(&wanted, share * held.chance?));
         let max_mpa = assessed.highest_mpa;
         let blocked_force_n = assessed.pull(max_mpa, 0.0)?.held_n;
         let free = assessed.evaluation().free_contraction(max_mpa).ok();
@@ -152,6 +143,14 @@ impl Candidate {
         let work = assessed
             .evaluation()
             .work_per_stroke_j(max_mpa, 0.0, furthest);
+        let burst = assessed.spec.limits.of(failures);
+        let pressure_mpa = peak(points.iter().map(|p| p.response.pressure_mpa));
+        let used_mpa = pressure_mpa.max(pressure_high_mpa.unwrap_or_default());
+        let proof = burst.stretched_proof_mpa(&mut assessed.evaluation(), used_mpa);
+        let proof_pressure_mpa = proof.ok().filter(|mpa| Burst::is_proof(*mpa, used_mpa));
+        let ends = proof_pressure_mpa
+            .and_then(|mpa| assessed.proved_ends(mpa))
+            .unwrap_or(held.ends);
         let margins = points.iter().map(|p: &CandidatePoint| p.margin);
         let part = held.place.tube(spec);
         Ok(Self {
@@ -164,17 +163,18 @@ impl Candidate {
             spare: spare(held.checks.clone()),
             below: assessed.below,
             chance: held.chance,
-            pressure_mpa: peak(points.iter().map(|p| p.response.pressure_mpa)),
+            pressure_mpa,
             pressure_low_mpa,
             pressure_high_mpa,
+            proof_pressure_mpa,
             highest_pressure_mpa: max_mpa,
             margin: margins.fold(f64::INFINITY, f64::min),
-            width_mm: held.width_mm,
-            ends: Some(held.ends).filter(|ends| ends.width_mm > 0.0),
+            width_mm: held.width_mm.max(ends.width_mm),
+            ends: Some(ends).filter(|ends| ends.width_mm > 0.0),
             blocked_force_n,
             free_contraction,
             work_j: work.ok(),
-            burst: assessed.spec.limits.of(failures),
+            burst,
             points,
             muscle: muscle.clone(),
         })

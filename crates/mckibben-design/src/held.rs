@@ -3,12 +3,18 @@
 
 use crate::{
     Ends, Limit, Objective, OperatingPoint,
-    assess::{Assessed, Pull, normal_share},
+    assess::{Assessed, Pull, normal_deviations, normal_share},
     bundle::envelope_ratio,
+    candidate::NINE_OF_TEN,
     enumerate::Place,
     limits::{AtPoint, Check, LIMITS, all_g},
 };
-use mckibben_core::{by_number::ByNumber, model::Result, muscle::Muscle};
+use mckibben_core::{
+    analysis::{PROOF_TO_WORKING, burst::ends::clamp_load_n},
+    by_number::ByNumber,
+    model::Result,
+    muscle::Muscle,
+};
 
 /// What muscles are ranked by, the smaller the better: the objective, then what decides between two
 /// that are equal in it.
@@ -138,12 +144,27 @@ impl Held {
         let mut checks = Vec::from_iter(whole.iter().zip(&pulls).map(check));
         let points = points_of(assessed, (&whole, many), &checks, precision)?;
         let pressure_mpa = points.iter().map(|p| p.1).fold(0.0, f64::max);
-        let ends = ends_at(assessed, pressure_mpa, precision);
+        let chance = chance(&pulls, count);
+        let ends = match precision {
+            Precision::Rough => ends_at(assessed, pressure_mpa),
+            Precision::Exact => {
+                // In proportion to the pull, which is too much: some pressure only takes up slack.
+                let [_, high] = NINE_OF_TEN.map(|share| Some(normal_deviations(share * chance?)));
+                let more = |(force_n, pull): &(f64, Pull)| {
+                    let [sure_n, high_n] = [z, high].map(|z| pull.quantile_n(z, force_n.signum()));
+                    sure_n / high_n
+                };
+                let more = pulls.iter().map(more).fold(1.0, f64::max);
+                let used_mpa = highest_mpa.min(more * pressure_mpa);
+                let proof_mpa = assessed.burst.highest_proof_mpa(used_mpa);
+                assessed.proved_ends(proof_mpa).unwrap_or(Ends::NONE)
+            }
+        };
         let mut held = Self {
             place: job.place,
             radius_mm: job.radius_mm,
             count,
-            chance: chance(&pulls, count),
+            chance,
             score: [0.0; 2],
             width_mm: 0.0,
             ends,
@@ -241,8 +262,8 @@ impl Held {
     }
 }
 
-/// The ends for a pressure in MPa.
-fn ends_at(assessed: &mut Assessed<'_>, pressure_mpa: f64, precision: Precision) -> Ends {
+/// The ends for a pressure in MPa, before its proof test is known.
+fn ends_at(assessed: &mut Assessed<'_>, pressure_mpa: f64) -> Ends {
     let Some(ends) = assessed.spec.ends else {
         return Ends::NONE;
     };
@@ -251,5 +272,6 @@ fn ends_at(assessed: &mut Assessed<'_>, pressure_mpa: f64, precision: Precision)
         .force_n(pressure_mpa, 0.0)
         .unwrap_or(0.0)
         .max(0.0);
-    ends(assessed.muscle, blocked_n, pressure_mpa, precision).unwrap_or(Ends::NONE)
+    let load_n = PROOF_TO_WORKING * clamp_load_n(assessed.muscle, blocked_n, pressure_mpa);
+    ends(assessed.muscle, [load_n; 2], Precision::Rough).unwrap_or(Ends::NONE)
 }

@@ -132,9 +132,8 @@ pub struct Ends {
     /// How they hold tube and sleeve.
     #[serde(rename = "ends")]
     pub made: EndsMade,
-    /// Load of each at the largest pressure that it takes to be sure, N: the blocked force, and the
-    /// pressure on the bore.
-    #[serde(rename = "end_load_n")]
+    /// Load of each in the proof test, N: the pull, and the pressure on the bore.
+    #[serde(rename = "proof_end_load_n")]
     pub load_n: f64,
     /// Largest diameter of plugs and clamps, mm.
     #[serde(rename = "end_diameter_mm")]
@@ -154,9 +153,10 @@ impl Ends {
     };
 }
 
-/// The ends of a muscle for its blocked force in N and a pressure in MPa, on demand without their
-/// mass, which takes long; `None` where its length on the plugs holds none.
-pub type EndsOf = fn(&Muscle, f64, f64, Precision) -> Option<Ends>;
+/// The ends of a muscle for a load in N of each in the proof test, and the most that it may be as
+/// built, on demand without their mass, which takes long; `None` where its length on the plugs holds
+/// none.
+pub type EndsOf = fn(&Muscle, [f64; 2], Precision) -> Option<Ends>;
 
 /// A muscle as sold.
 #[derive(Debug, Clone)]

@@ -241,6 +241,9 @@ pub fn muscle_file(place: usize, candidate: &Candidate, spec: &Spec) -> TextFile
     if let Some(pressure) = Positive::new(candidate.pressure_mpa.into()) {
         muscle = muscle.with_job(Job {
             pressure,
+            highest: candidate
+                .pressure_high_mpa
+                .and_then(|mpa| Positive::new(mpa.into())),
             supply: Positive::new(spec.max_pressure_mpa.into()),
             branch: Some(spec.options().direction),
             liquid: spec

@@ -299,10 +299,7 @@ fn never_above(first: &Candidate) -> Option<String> {
     let below = first
         .below
         .map(|below| format!(": {}", why_no_more(&below, &show)));
-    let used_mpa = first
-        .pressure_mpa
-        .max(first.pressure_high_mpa.unwrap_or_default());
-    let test = match first.burst.proof_mpa(used_mpa) {
+    let test = match first.proof_pressure_mpa {
         Some(proof_mpa) => {
             let proof = show(Dimension::Pressure, proof_mpa);
             format!(". Proof test once: {proof}, water, stretched")

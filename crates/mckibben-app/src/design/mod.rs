@@ -21,7 +21,7 @@ use answer::{muscle_file, not_checked, touches};
 use decision::Decision;
 use mckibben_build::{EndParts, Wishes};
 use mckibben_core::{
-    analysis::{Evaluation, PROOF_TO_WORKING, burst::ends::clamp_load_n},
+    analysis::Evaluation,
     by_number::ByNumber,
     load::Load,
     model::{ForceModel, ModelError, Workspace},
@@ -180,17 +180,11 @@ fn draw(
 }
 
 /// The ends of a muscle as `build` makes them.
-pub fn design_ends(
-    muscle: &Muscle,
-    blocked_n: f64,
-    pressure_mpa: f64,
-    precision: Precision,
-) -> Option<Ends> {
-    let load_n = clamp_load_n(muscle, blocked_n, pressure_mpa);
-    let parts = EndParts::new(muscle, [PROOF_TO_WORKING * load_n; 2], &Wishes::default()).ok()?;
+pub fn design_ends(muscle: &Muscle, loads_n: [f64; 2], precision: Precision) -> Option<Ends> {
+    let parts = EndParts::new(muscle, loads_n, &Wishes::default()).ok()?;
     Some(Ends {
         made: parts.ends.made,
-        load_n,
+        load_n: loads_n[0],
         width_mm: parts.widest_mm(),
         mass_g: match precision {
             Precision::Rough => 0.0,

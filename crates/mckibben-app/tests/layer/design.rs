@@ -55,6 +55,18 @@ fn what_is_set_has_room_for_the_valves_and_what_is_estimated_is_tested_first() {
             proof_mpa < least.as_f64().unwrap() && proof_mpa > 1.2 * set_mpa,
             "{never}"
         );
+        // The folder of the file that it writes proves it at the same pressure, with the same ends.
+        let built = reply(
+            "build",
+            json!({"muscle": {"file": answer["muscle_files"][0]}}),
+        );
+        let of = |key: &str| [&built, best].map(|from| number(from, key));
+        let [built_mpa, told_mpa] = of("proof_pressure_mpa");
+        assert!(
+            (built_mpa - told_mpa).abs() < 1e-6 * told_mpa,
+            "{built_mpa} {never}"
+        );
+        assert_eq!(built["ends"], best["ends"]["ends"], "{}", lines[0]);
         // A radius that is searched has room for both muscles, and 4 mm for clamps and cords.
         if job["torques"].is_array() {
             let mm = |key: &str| best[key].as_f64().unwrap();

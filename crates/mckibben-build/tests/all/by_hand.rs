@@ -94,13 +94,14 @@ fn a_proof_is_half_of_the_burst_where_the_working_pressure_is_a_quarter_of_it() 
         ..Burst::unknown(NoBurst::NO_ANSWER)
     };
     let free = burst(FailurePressure::None);
-    assert_eq!(free.proof_mpa(1.0 / SAFETY), Some(0.5));
+    assert_eq!(free.highest_proof_mpa(1.0 / SAFETY), 0.5);
     // A tube may work at half of its burst pressure, and is not proved at all of it.
-    assert_eq!(free.proof_mpa(0.5), Some(0.75));
+    assert_eq!(free.highest_proof_mpa(0.5), 0.75);
     // Between both a relief valve has room: a tenth.
-    assert_eq!(free.proof_mpa(0.69), None);
-    assert_eq!(burst(FailurePressure::at(0.6)).proof_mpa(0.5), Some(0.6));
-    assert_eq!(burst(FailurePressure::at(0.6)).proof_mpa(0.55), None);
+    assert!(!Burst::is_proof(free.highest_proof_mpa(0.69), 0.69));
+    let strained = burst(FailurePressure::at(0.6));
+    assert_eq!(strained.highest_proof_mpa(0.5), 0.6);
+    assert!(Burst::is_proof(0.6, 0.5) && !Burst::is_proof(0.6, 0.55));
 }
 
 /// By hand: 20 Pa s of 1080 kg/m³ over 513 mm and a gap of 2.5 mm: 12 · 20 · 0.513/(1080 ·

@@ -1,11 +1,11 @@
 //! Cut list, pressures, files.
 
 use mckibben_build::{
-    Content, Operating, Plan, PullAt, STRETCH, TestPoint, ToMeasure, Wishes, drawings, files,
+    Content, Operating, Plan, PullAt, TestPoint, ToMeasure, Wishes, drawings, files,
     is_blank_sheet, papers,
 };
 use mckibben_core::{
-    analysis::{FailureMode, PressureLimits},
+    analysis::{FailureMode, PressureLimits, STRETCH},
     built::{Left, Measurement},
     clean,
     muscle::{Direction, EndsMade, Muscle, file::parse_muscle},
@@ -28,6 +28,7 @@ fn operating(muscle: &Muscle, pressure_mpa: f64) -> Operating {
     Operating {
         model: "test".into(),
         pressure_mpa,
+        highest_mpa: pressure_mpa,
         blocked_force_n: 6.0 * pressure_mpa * d0 * d0,
         branch: Direction::Mean,
         free_contraction: 0.2,

@@ -14,7 +14,7 @@ mod sweep;
 pub use air::{ATMOSPHERE_MPA, Air, HEAT_RATIO, normal_litres};
 pub use burst::{
     Allowed, BUCKLING, Burst, FailureMode, FailurePressure, LEAST_SAFETY, NoBurst, PROOF_TO_BURST,
-    PROOF_TO_WORKING, PROVED, PressureLimits, RELIEF, SAFETY, Safety, burst, burst_below,
+    PROOF_TO_WORKING, PROVED, PressureLimits, RELIEF, SAFETY, STRETCH, Safety, burst, burst_below,
 };
 pub use error::{AnalysisError, Result};
 pub use evaluation::{Evaluation, Options};

@@ -16,6 +16,8 @@ use std::sync::Arc;
 pub struct Job {
     /// Pressure to set
     pub pressure: Positive<Pressure>,
+    /// Highest pressure to set: 19 of 20 that do the job need less
+    pub highest: Option<Positive<Pressure>>,
     /// Pressure that the supply gives
     pub supply: Option<Positive<Pressure>>,
     /// Branch on which it works
@@ -49,6 +51,13 @@ impl Muscle {
     pub fn with_job(mut self, job: Job) -> Self {
         self.job = Some(Arc::new(job));
         self
+    }
+
+    /// The highest pressure in MPa to set, where it was designed for a job.
+    pub fn highest_set_mpa(&self) -> Option<f64> {
+        let job = self.job()?;
+        let highest_mpa = job.highest.map_or(0.0, f64::from);
+        Some(highest_mpa.max(job.pressure.into()))
     }
 
     /// The pressure to set in MPa, where it was designed for one.

@@ -361,17 +361,13 @@ impl Burst {
     }
 
     /// Pressure of the proof test in MPa of a muscle that works at one in MPa: twice as much, at most
-    /// three quarters of the least burst pressure and what the strands stretch to at most; `None`
-    /// where that leaves no room for a relief valve between both.
-    pub fn proof_mpa(&self, working_mpa: f64) -> Option<f64> {
-        let proof_mpa = self
-            .least()
+    /// three quarters of the least burst pressure and what the strands stretch to at most.
+    pub fn highest_proof_mpa(&self, working_mpa: f64) -> f64 {
+        self.least()
             .map(|(_, mpa)| PROOF_TO_BURST * mpa)
             .into_iter()
             .chain(self.strained.mpa())
-            .fold(PROOF_TO_WORKING * working_mpa, f64::min);
-        // To the last digit of what the allowed pressure follows from.
-        (proof_mpa >= RELIEF * working_mpa * (1.0 - 1e-9)).then_some(proof_mpa)
+            .fold(PROOF_TO_WORKING * working_mpa, f64::min)
     }
 
     /// What is said of it where the largest pressure is `highest_mpa`.

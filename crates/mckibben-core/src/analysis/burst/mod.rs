@@ -21,6 +21,7 @@ pub mod ends;
 mod failure;
 mod limits;
 pub mod mesh;
+mod proof;
 mod radii;
 pub mod strands;
 
@@ -29,6 +30,7 @@ pub use failure::{
     PROOF_TO_WORKING, PROVED, RELIEF, SAFETY, Safety,
 };
 pub use limits::PressureLimits;
+pub use proof::STRETCH;
 
 use super::error::{AnalysisError, Result};
 use crate::{
