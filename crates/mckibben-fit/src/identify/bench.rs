@@ -141,7 +141,7 @@ fn spread(mut points: Vec<(OwnPoint, f64)>) -> Vec<(OwnPoint, f64)> {
 
 /// Some of `count` things, by their places: the first one, then each farthest from those before it; of
 /// equal ones the first.
-pub fn farthest_first(
+pub(crate) fn farthest_first(
     count: usize,
     some: usize,
     apart: impl Fn(usize, usize) -> f64,

@@ -31,7 +31,7 @@ pub use values::with_values;
 #[doc(hidden)]
 pub use {
     crate::measured::Section,
-    bench::{farthest_first, left_over},
+    bench::left_over,
     parameter::{ParameterError, target_and_numbers},
     pulls::{Found, Pulls, start},
     run::{free_target, pulls_and_slack},

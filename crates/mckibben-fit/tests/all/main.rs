@@ -5,6 +5,7 @@
 mod bench_tables;
 mod by_elements;
 mod by_reach;
+mod fake_benches;
 mod friction_unknown;
 mod lay;
 mod measured;

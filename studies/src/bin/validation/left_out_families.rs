@@ -8,14 +8,14 @@ use crate::{
 use mckibben_core::{
     analysis::{Evaluation, Options},
     built::{Experience, Predictor, Prior},
-    by_number::SortByNumber,
     extremes::peak,
     model::Workspace,
     muscle::Muscle,
+    random::Random,
     threads,
 };
 use mckibben_fit::{
-    identify::{Build, Quantity, farthest_first, written_bench},
+    identify::{Build, Quantity, written_bench},
     library::residual::of_branch,
     measured::DataPoint,
 };
@@ -57,38 +57,19 @@ pub fn judged(
     Some(points.iter().filter_map(one).collect())
 }
 
-/// Points of a series that are spread over its pressures and contractions, from ε 0.03 on: `n` of
-/// them.
-fn spread(points: &[DataPoint], n: usize) -> Vec<usize> {
-    const LEAST: f64 = 0.03;
-    let highest_mpa = peak(points.iter().map(|p| p.at.pressure_mpa));
-    let largest = peak(points.iter().map(|p| p.at.contraction));
-    let mut order: Vec<usize> = (0..points.len())
-        .filter(|&i| points[i].at.contraction >= LEAST)
-        .collect();
-    let place = |i: usize| {
-        let at = points[i].at;
-        (
-            at.pressure_mpa / highest_mpa,
-            at.contraction / largest,
-            0.5 * at.direction().sign(),
-        )
-    };
-    // The first in the middle, each further one farthest from those before it.
-    let middle = (0.6, 0.4, 0.0);
-    let apart =
-        |a: (f64, f64, f64), b: (f64, f64, f64)| (a.0 - b.0).hypot(a.1 - b.1).hypot(a.2 - b.2);
-    order.sort_by_number(|&i| apart(place(i), middle));
-    // Of equal ones that farthest from the middle.
-    if let Some(rest) = order.get_mut(1..) {
-        rest.reverse();
+/// Sets of own points of a series.
+const DRAWS: u64 = 20;
+
+/// `n` rows of a series, drawn at random, and all others.
+fn drawn(points: &[DataPoint], n: usize, draw: u64) -> (Vec<DataPoint>, Vec<DataPoint>) {
+    let mut random = Random(draw);
+    let mut own = points.to_vec();
+    for i in 0..n.min(own.len()) {
+        let other = random.between(i as f64, own.len() as f64) as usize;
+        own.swap(i, other);
     }
-    farthest_first(order.len(), n, |i, k| {
-        apart(place(order[i]), place(order[k]))
-    })
-    .into_iter()
-    .map(|i| order[i])
-    .collect()
+    let rest = own.split_off(n.min(own.len()));
+    (own, rest)
 }
 
 /// The muscle of a series, and what is known of it, after some of its points were measured.
@@ -120,13 +101,13 @@ pub fn left_out(known: &[Known<'_>], own_points: usize, build: &Build<'_>) -> Ve
             let predictor = Predictor::about(&series.muscle, prior.centre, prior.covariance())?;
             judged(series, &series.muscle, &predictor, &series.points, build)?
         } else {
-            let own = spread(&series.points, own_points);
-            let all = 0..series.points.len();
-            let (own, rest): (Vec<_>, Vec<_>) = all.partition(|i| own.contains(i));
-            let [fitted, rest] =
-                [own, rest].map(|list| Vec::from_iter(list.iter().map(|&i| series.points[i])));
-            let (muscle, predictor) = after(series, &fitted, (&experience, &prior), build)?;
-            judged(series, &muscle, &predictor, &rest, build)?
+            let judged_by = |draw| {
+                let (own, rest) = drawn(&series.points, own_points, draw);
+                let (muscle, predictor) = after(series, &own, (&experience, &prior), build)?;
+                judged(series, &muscle, &predictor, &rest, build)
+            };
+            let all: Vec<_> = (0..DRAWS).filter_map(judged_by).collect();
+            all.concat()
         };
         Some((series.name.clone(), list))
     };
