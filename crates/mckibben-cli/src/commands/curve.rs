@@ -1,8 +1,6 @@
 //! `curve isometric|isotonic|isobaric`, and `curve --study`.
 
-use crate::{
-    Bar, Context, Format, Output, Plot, Result, examples::examples, exit_code, output::form,
-};
+use crate::{Bar, Context, Format, Output, Plot, Result, examples::examples, output::form};
 use mckibben_app::{CurveRequest, StudyRequest, study};
 
 /// A family of curves, or the study of the paper.
@@ -63,6 +61,6 @@ impl Curve {
         } else {
             self.output.print(context, &answer)?;
         }
-        Ok(exit_code(answer.problem.as_ref()))
+        answer.problem.map_or(Ok(0), Err)
     }
 }

@@ -102,6 +102,7 @@ fn told(posterior: &Posterior) -> Told {
         constants,
         covariance,
         prior,
+        variance_factor,
         ..
     } = posterior;
     const N: usize = Constant::ALL.len();
@@ -119,9 +120,10 @@ fn told(posterior: &Posterior) -> Told {
             weighted[i] = 0.0;
         }
     }
+    // Points that are noisier than is assumed tell less.
     Told {
-        precision,
-        weighted,
+        precision: precision / *variance_factor,
+        weighted: weighted / *variance_factor,
     }
 }
 
