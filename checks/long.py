@@ -139,7 +139,7 @@ PARTS = {
             r"python/mckibben/_campaign\.py",
             r"python/tests/test_executors\.py",
             r"checks/(slurm|campaigns)\.sh",
-            r"docs/campaigns-engines\.md",
+            r"docs/campaigns\.md",
         ],
         None,
         ['bash checks/campaigns.sh "$MCKIBBEN"'],

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The lines of docs/campaigns-engines.md under a real Slurm on one node: as they are, with a shard that is killed, and cancelled in mid-run. The merged
+# The lines of docs/campaigns.md under a real Slurm on one node: as they are, with a shard that is killed, and cancelled in mid-run. The merged
 # file has the bytes of a local run. Sets up slurmctld, slurmd and munged of Debian's packages in a folder of its own, and takes all down.
 #
 # Usage: slurm.sh PROGRAM      (as root; installs slurm-wlm and munge if they are not there)
@@ -93,7 +93,7 @@ running() { pgrep -f -- "campaign plan.toml -o parts/ --shard" | head -1; }
 mkdir bin
 ln -s "$program" bin/mckibben
 export PATH=$work/bin:$PATH
-python3 - "$root/docs/campaigns-engines.md" > recipe.sh <<'READ'
+python3 - "$root/docs/campaigns.md" > recipe.sh <<'READ'
 import sys
 blocks = open(sys.argv[1]).read().split("```text\n")[1:]
 print(next(block.split("```")[0] for block in blocks if "sbatch" in block))

@@ -33,13 +33,9 @@ if [ -n "$site" ]; then
     if ! command -v mdbook >/dev/null; then
         cargo install mdbook --version 0.5.1 --locked --quiet
     fi
-    # The book has the benchmarks' page too, which stands elsewhere, and is linked with its neighbours.
     book=$(mktemp -d)
     trap 'rm -rf "$made" "$book"' EXIT
     cp -r docs/. "$book"
-    cp benches/README.md "$book/benches.md"
-    sed -i 's#\.\./benches/README\.md#benches.md#g' "$book"/*.md
-    sed -i 's#(\.\./docs/#(#g' "$book/benches.md"
     cp -r web/book-theme "$book/theme"
     # Schemas and the Python reference are made by the program and its library.
     cargo build --workspace --all-targets --profile test --locked --quiet

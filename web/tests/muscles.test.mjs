@@ -39,7 +39,7 @@ const maybe = (answer) =>
  * scale. WebAssembly has its own sines and no lanes, which differ in the last bits, and what is iterated ends elsewhere within its tolerance:
  * Newton's method at a residual of 1e-10 of the forces, with a stiffness or P′ up to ten times as far from it (of 400 muscles the worst is
  * 1.0e-10, a P′), a motion's events at 1e-9 of their scale, likewise (the worst 2.1e-9, a rise time). Where the last bits decide whether a
- * step is accepted, the two integrate with other steps: each is within 2e-7 of the solution at the tolerance of 1e-6 (docs/motion-integration.md), and
+ * step is accepted, the two integrate with other steps: each is within 2e-7 of the solution at the tolerance of 1e-6 (docs/motion-equations.md), and
  * they differ by twice that at most (of 100 muscles three differ by more than 1e-8, the worst by 4e-8).
  */
 const WITHIN = { serve: { point: 0, motion: 1e-9 }, static: { point: 1e-9, motion: 4e-7 } };

@@ -1,6 +1,6 @@
 //! The columns of a campaign's table, declared once: Parquet's schema, its encoding and
 //! `campaign show` follow from [`COLUMNS`]. What each means is in [`PointRow`] and, for users, in
-//! `docs/plans.md`.
+//! `docs/campaigns.md`.
 
 use mckibben_core::status::Status;
 use schemars::{JsonSchema, schema_for};
@@ -191,7 +191,7 @@ mod tests {
 
     #[test]
     fn the_documentation_has_every_column_in_its_order() {
-        let text = include_str!("../../../docs/plans.md");
+        let text = include_str!("../../../docs/campaigns.md");
         let table = text
             .split_once("| column | unit | |\n|---|---|---|\n")
             .unwrap()

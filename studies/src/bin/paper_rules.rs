@@ -1,5 +1,5 @@
 //! The paper's method on our finite elements by each reading of what the paper leaves open, against
-//! the published formula: writes the table of docs/results.md; `-- --check` compares.
+//! the published formula: writes the table of docs/paper.md; `-- --check` compares.
 
 use mckibben_campaign::fit::{
     data::{FitPoint, Grid},
@@ -79,10 +79,10 @@ fn main() -> Result<()> {
     }
     let off = |p: &FitPoint| p.published_n() - p.force_n;
     table += &row("published against FE, half steps of D0 and ε", &finer, off)?;
-    let page = Path::new("docs/results.md");
+    let page = Path::new("docs/paper.md");
     let made = with_texts(&fs::read_to_string(page)?, &[("rules", table)])?;
     let check = std::env::args().any(|word| word == "--check");
     (keep(page, &made, check)? || !check)
         .then_some(())
-        .ok_or("docs/results.md is another".into())
+        .ok_or("docs/paper.md is another".into())
 }

@@ -1,4 +1,4 @@
-//! The figure of `docs/finite-elements-3d.md`: one muscle by three-dimensional and axisymmetric
+//! The figure of `docs/finite-elements.md`: one muscle by three-dimensional and axisymmetric
 //! elements, by the ideal formula, and by other programs (`data/peers`).
 //! `cargo study peers_figure -- FILE.svg`, from the root of the repository.
 

@@ -73,7 +73,7 @@ pub fn signs(method: &PaperMethod) -> Vec<Sign> {
     out
 }
 
-/// The table of docs/results.md: pairs of neighbouring curves with the stated sign, of all.
+/// Pairs of neighbouring curves with the stated sign, of all (section 3.3.1 of docs/paper.md).
 #[test]
 fn the_stated_signs_hold_as_often_as_the_book_says() {
     let mut points = Grid::PAPER.points(&Muscle::prototype());

@@ -27,7 +27,7 @@ pub enum BraidStiffness {
     /// Strands that do not stretch: the limit k → ∞.
     Inextensible,
     /// The paper's braid: k = 452 N/mm · (D0/40 mm)^1.2, identified together with the rubber
-    /// `paper` (`docs/identify/paper.md`).
+    /// `paper` (`docs/paper.md`).
     Paper,
     /// From [`Strands`]: k = E·A/spacing, spacing = π D0 cosθ0/(N/2).
     #[serde(skip)]

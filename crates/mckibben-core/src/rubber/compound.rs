@@ -94,7 +94,7 @@ pub struct Rubber {
 impl Rubber {
     /// The rubber `paper`: Mooney–Rivlin C10 0.112 MPa, C01 0, incompressible. Identified with
     /// axisymmetric finite elements from the paper's Table 1 and formula (11)
-    /// (`docs/identify/paper.md`).
+    /// (`docs/paper.md`).
     pub fn paper() -> Self {
         Self {
             name: Some("paper".into()),

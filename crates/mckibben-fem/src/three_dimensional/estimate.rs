@@ -4,8 +4,8 @@ use super::mesh::{BrickMesh, BrickSpec, Quarter};
 use crate::Result;
 use mckibben_core::{muscle::Muscle, size};
 
-/// Nodes through the wall, around and along, and bytes, of one mesh of bricks that was measured
-/// (`docs/finite-elements-3d.md`).
+/// Nodes through the wall, around and along, and bytes, of one mesh of bricks that was
+/// measured.
 const MEASURED: ([f64; 3], f64) = ([5.0, 81.0, 258.0], 1.6e9);
 /// Bytes of an unknown beside the factor: elements, maps and state.
 const BYTES_BESIDE: f64 = 1500.0;

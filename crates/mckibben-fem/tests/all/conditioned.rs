@@ -297,11 +297,11 @@ fn a_held_muscle_is_one_of_softer_rubber() {
     assert!(free(&long) > free(&at_once) + 0.005);
 }
 
-/// The table of docs/rubber-time.md, by the muscles in `examples`. A regression.
+/// The table of docs/rubber-modes.md, by the muscles in `examples`. A regression.
 #[test]
 fn the_page_prints_what_the_examples_give() {
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-    let page = std::fs::read_to_string(format!("{root}/docs/rubber-time.md")).unwrap();
+    let page = std::fs::read_to_string(format!("{root}/docs/rubber-modes.md")).unwrap();
     let mut missing = vec![];
     for name in ["first-inflation", "tenth-inflation", "held"] {
         let model = Axisymmetric::between_ends(

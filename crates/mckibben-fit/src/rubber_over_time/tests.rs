@@ -273,7 +273,7 @@ fn a_known_series_comes_back_from_cycles_and_a_hold() {
 }
 
 /// S. Lee's stepwise relaxation of HNBR50 (12 h): what one to three branches leave, in kPa, as
-/// docs/rubber-time.md prints it. A regression.
+/// docs/rubber-modes.md prints it. A regression.
 #[test]
 fn branches_that_follow_hnbr50_leave_what_they_left() {
     let path = format!(

@@ -1,5 +1,5 @@
 //! What was measured, as a folder: `case.toml`, `points.csv`, and of a muscle `muscle.toml` and, in
-//! the library, `identified.toml`. `docs/own-cases.md` describes them.
+//! the library, `identified.toml`. `docs/muscle-file.md` describes them.
 
 use crate::{Result, chosen::Parameter};
 use mckibben_core::{

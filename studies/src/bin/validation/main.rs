@@ -41,15 +41,14 @@ use std::{path::Path, process::ExitCode};
 pub use mckibben_studies::{Result, keep, with_texts};
 
 /// Pages with tables of the study.
-const PAGES: [&str; 4] = [
+const PAGES: [&str; 3] = [
     "docs/validation.md",
-    "docs/validation-rubber.md",
     "docs/verified.md",
-    "docs/own-cases.md",
+    "docs/muscle-file.md",
 ];
 /// What the measured muscles tell of one that nobody measured.
 const PRIOR: &str = "crates/mckibben-core/data/prior.json";
-/// The case of docs/own-cases.md.
+/// The case of docs/muscle-file.md.
 const PATTERN: &str = "examples/measured";
 
 /// The words of the command.

@@ -11,7 +11,7 @@
 //! solved together; derivatives follow by implicit differentiation. Everything but the coefficients
 //! of δ's small correction is exact mechanics: for L0 → ∞ the answer is that of the thick-wall
 //! model, and with soft rubber and strands that do not stretch the ideal formula.
-//! `docs/universal.md` derives it.
+//! `docs/models.md` derives it.
 
 mod coupled;
 mod dual;

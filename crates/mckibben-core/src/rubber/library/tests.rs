@@ -126,7 +126,7 @@ fn at_100_percent(row: &csv::StringRecord) -> f64 {
 }
 
 /// The table's measured stress at 100 % strain, of every silicone that is known by this table
-/// alone: within 1.5 %, which is what `docs/rubber-names.md` states of the law for data up to 150 %, and
+/// alone: within 1.5 %, which is what `docs/parts.md` states of the law for data up to 150 %, and
 /// within three times the scatter of the law's fit (the root mean square of its differences of
 /// stress).
 #[test]

@@ -1,7 +1,7 @@
 //! Cases and their rows: each of our values must be within a tolerance of its reference.
 //!
 //! Where `MCKIBBEN_VERIFICATION` names a folder, each case writes its rows into a file there:
-//! `cargo xtask book` makes the list of `docs/verification.md` from them.
+//! `cargo xtask book` makes the list of `docs/verified.md` from them.
 
 use std::{
     env,

@@ -1,6 +1,6 @@
 //! Cases with exact values: are the equations solved right?
 //!
-//! The letters of the sources are those of `docs/verification.md`, which says for each problem what
+//! The letters of the sources are those of `docs/verified.md`, which says for each problem what
 //! is loaded and held. Unless stated otherwise the rubber is Mooney–Rivlin with C1 = 0.10, C2 = 0.02
 //! MPa, incompressible; mm, MPa, N.
 

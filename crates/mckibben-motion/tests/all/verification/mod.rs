@@ -1,5 +1,5 @@
 //! Motions with exact values: are the equations solved right? The closed forms are those of
-//! `docs/motion-integration.md`.
+//! `docs/motion-equations.md`.
 
 mod liquid;
 mod mechanics;
