@@ -1,6 +1,6 @@
 // The answer of a design as people read it: what to take and set, what else could take its place,
 // the table of all, and what would fit.
-import { inTen } from "./chance.js";
+import { certaintyOf, inTen } from "./chance.js";
 import { csv } from "./columns.js";
 import { button, capital, download, el, folded, heading, paragraph } from "./dom.js";
 import { table, warnings } from "./form.js";
@@ -21,50 +21,42 @@ import {
 } from "./units.js";
 
 /** Prices of tubes and sleeves by their names. @typedef {Map<string, string>} Prices */
-/** Version 4 of the interface; an older engine has none of it. */
-/**
- * @typedef {{ chance?: number | null, width_mm?: number | null, pressure_low_mpa?: number | null,
- * pressure_high_mpa?: number | null }} Chance
- */
-/** @typedef {Candidate & Chance} One */
-/** @typedef {NonNullable<Design["answer"]["choices"]>[number] & Chance} Choice */
+/** @typedef {import("./chance.js").Choice} Choice */
 
-/** How wide it gets. @param {One} c */
-export const widthOf = (c) => c.width_mm ?? c.bulged_diameter_mm ?? c.outer_diameter_mm;
-/** The pressure to begin with, and between which nine of ten end. @param {{ pressure_mpa: number } & Chance} c */
+/** How many side by side, and how wide each gets. @param {Pick<Candidate, "count" | "width_mm">} c */
+export const widthOf = ({ count, width_mm: width }) =>
+  `${count > 1 ? `${count} × ` : ""}${showLength(width, 3)}`;
+/** The pressure to begin with, and between which nine of ten end. @param {Choice} c */
 const set = ({ pressure_mpa: p, pressure_low_mpa: low, pressure_high_mpa: high }) =>
   showPressure(p, 3) +
   (low && high ? ` (${[low, high].map((v) => showPressure(v, 3)).join(" to ")})` : "");
-const chance = (/** @type {Chance} */ c) => (c.chance == null ? "–" : inTen(c.chance));
+const chance = (/** @type {Candidate} */ c) => (c.chance == null ? "–" : inTen(c.chance));
 
 /**
  * Columns: heading, unit for CSV, cell for people, value for CSV.
- * @typedef {[string, string, (c: One) => string, (c: One) => string | number | null | undefined]}
+ * @typedef {[string, string, (c: Candidate) => string, (c: Candidate) => string | number | null | undefined]}
  * Column
  */
 /**
  * Columns that tell the candidates apart; what all have alike is said above.
- * @param {One[]} all @param {Prices} prices @returns {Column[]}
+ * @param {Candidate[]} all @param {Prices} prices @returns {Column[]}
  */
 function columns(all, prices) {
   /**
-   * @param {string} head @param {string} kind @param {(c: One) => number | null | undefined} of
+   * @param {string} head @param {string} kind @param {(c: Candidate) => number | null | undefined} of
    * @returns {Column}
    */
   const quantity = (head, kind, of, digits = 4) => [
     head,
     unitName(kind),
     (c) => show(kind, of(c), digits),
-    (c) => {
-      const v = of(c);
-      return v == null ? "" : Number(outside(kind, v).toPrecision(8));
-    },
+    (c) => Number(outside(kind, of(c) ?? NaN).toPrecision(8)),
   ];
-  /** @param {string} head @param {(c: One) => string | null | undefined} of @returns {Column} */
+  /** @param {string} head @param {(c: Candidate) => string | null | undefined} of @returns {Column} */
   const words = (head, of) => [head, "", (c) => of(c) || "–", of];
-  const price = (/** @type {One} */ { tube, sleeve }) =>
+  const price = (/** @type {Candidate} */ { tube, sleeve }) =>
     [tube, sleeve].flatMap((name) => prices.get(name ?? "") ?? []).join(" + ");
-  const mass = (/** @type {One} */ c) => c.mass_g ?? c.rubber_mass_g;
+  const mass = (/** @type {Candidate} */ c) => c.mass_g ?? c.rubber_mass_g;
   const liquid = all.some((c) => c.liquid_volume_mm3);
   const list = /** @type {Column[]} */ ([
     words("tube", (c) => c.tube),
@@ -77,7 +69,7 @@ function columns(all, prices) {
     ["chance", "", chance, (c) => c.chance],
     quantity("set", "pressure", (c) => c.pressure_mpa, 3),
     quantity("± of the pull", "force", (c) => c.uncertainty_n, 2),
-    quantity("width in use", "length", widthOf),
+    quantity("width in use", "length", (c) => c.width_mm),
     quantity("burst pressure", "pressure", (c) => c.burst_pressure_mpa, 3),
     liquid
       ? quantity("liquid per stroke", "volume", (c) => c.liquid_volume_mm3, 3)
@@ -95,7 +87,7 @@ function columns(all, prices) {
     if (head === "L0") return values.size > 1;
     if (head === "rubber" || head === "s") return !all.every((c) => c.tube);
     if (head === "θ0") return !all.every((c) => c.sleeve);
-    return [...values].some((v) => v != null && v !== "");
+    return [...values].some((v) => v || v === 0);
   });
 }
 
@@ -151,27 +143,24 @@ export function headView(answer) {
 }
 
 /**
- * What could take the place of the first muscle.
- * @param {Choice[]} list @param {((i: number) => void) | undefined} pick
+ * What could take the place of the first muscle; that of another chance is asked for.
+ * @param {readonly Choice[]} list @param {(certainty: number) => void} ensure
  */
-export function choicesView(list, pick) {
-  if (!list.length) return "";
-  const known = list.some((c) => c.chance != null);
+export function choicesView(list, ensure) {
   const rows = list.map((c) => [
-    c.name,
-    ...(known ? [chance(c)] : []),
-    showLength(c.width_mm ?? c.envelope_mm, 3),
+    c.kind === "chance" ? button(c.name, () => ensure(certaintyOf(c)), { class: "bare" }) : c.name,
+    chance(c),
+    widthOf(c),
+    showLength(c.envelope_mm, 3),
     showLength(c.length_mm),
     set(c),
     pulls(c),
     c.parts,
   ]);
-  const head = ["choice", ...(known ? ["chance"] : []), "width", "L0", "set", "pulls (95 %)"];
-  return table([...head, "parts"], rows, {
-    text: [0, head.length],
-    pick: known ? pick : undefined,
-    label: "One muscle, and what could take its place",
-  });
+  const head = ["choice", "chance", "width", "width of all", "L0", "set", "pulls (95 %)", "parts"];
+  return list.length
+    ? table(head, rows, { text: [0, 7], label: "One muscle, and what could take its place" })
+    : "";
 }
 
 /** Between which a built one pulls at its first point. @param {Choice} choice */

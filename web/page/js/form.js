@@ -75,19 +75,23 @@ class Form {
   constructor(fields, submit) {
     this.fields = fields;
     this.keys = fields.map((f) => f.key);
-    this.rows = new Map(fields.map((f) => [f.key, fieldRow(f, submit)]));
+    this.rows = Object.fromEntries(fields.map((f) => [f.key, fieldRow(f, submit)]));
     const send = (/** @type {Event} */ event) => {
       event.preventDefault();
       submit();
     };
-    this.element = el("form", { onsubmit: send }, ...[...this.rows.values()].map(({ row }) => row));
+    this.element = el(
+      "form",
+      { onsubmit: send },
+      ...Object.values(this.rows).map(({ row }) => row),
+    );
   }
 
   /** @param {string} key @param {string} message */
   mark(key, message) {
-    const of = this.rows.get(key),
-      box = of?.row.closest("details");
-    of?.say(message, true);
+    const { row, say } = this.rows[key],
+      box = row.closest("details");
+    say(message, true);
     if (message && box) box.open = true;
   }
 
@@ -116,7 +120,7 @@ class Form {
       asked.push({ f, text: clear(f, kind, text), kind, list: f.list ?? false, take });
     for (const f of this.fields) {
       const { kind, key, field, pair } = f,
-        text = this.rows.get(key)?.row.hidden ? "" : this.text(key);
+        text = this.rows[key].row.hidden ? "" : this.text(key);
       this.mark(key, "");
       if (!text) continue;
       if (pair)
@@ -147,16 +151,15 @@ class Form {
       else take(list ? values : value);
     });
     const bad = new Set(asked.flatMap(({ f }, i) => (readings[i].problem ? [f.key] : [])));
-    for (const [key, note] of notes) if (!bad.has(key)) this.rows.get(key)?.say(note);
+    for (const [key, note] of notes) if (!bad.has(key)) this.rows[key].say(note);
     return bad.size ? undefined : values;
   }
 
   /** The texts, for an address: those that are not the usual ones. */
   texts() {
-    const own = (/** @type {Field} */ f) => this.rows.get(f.key)?.input.value ?? "";
-    return Object.fromEntries(
-      this.fields.map((f) => [f.key, own(f) === (f.value ?? "") ? "" : own(f)]),
-    );
+    const own = (/** @type {string} */ key, usual = "") =>
+      this.rows[key].input.value === usual ? "" : this.rows[key].input.value;
+    return Object.fromEntries(this.fields.map(({ key, value }) => [key, own(key, value)]));
   }
   /** @param {URLSearchParams} params */
   set(params) {
@@ -164,45 +167,37 @@ class Form {
   }
   /** What stands there where nothing is typed. @param {string} key @param {string} text */
   usual(key, text) {
-    const input = this.rows.get(key)?.input;
-    if (input instanceof HTMLInputElement) input.placeholder = text;
+    Object.assign(this.rows[key].input, { placeholder: text });
   }
   /** @param {string} key @param {boolean} on */
   shown(key, on) {
-    const of = this.rows.get(key);
-    if (of) of.row.hidden = !on;
+    this.rows[key].row.hidden = !on;
   }
   /** What is typed. @param {string} key */
   text(key) {
-    return this.rows.get(key)?.input.value.trim() ?? "";
+    return this.rows[key].input.value.trim();
   }
   /** @param {string} key @param {string} text */
   put(key, text) {
-    const of = this.rows.get(key);
-    if (of) of.input.value = text;
+    this.rows[key].input.value = text;
   }
   /**
    * Names to choose from, where they are not there yet. @param {string} key @param {string[]} names
    */
   options(key, names) {
-    const input = this.rows.get(key)?.input;
-    if (input instanceof HTMLSelectElement) addOptions(input, names);
-    else if (input && !input.hasAttribute("list")) {
-      const list = el(
-        "datalist",
-        { id: `${input.id}l` },
-        ...names.map((value) => el("option", { value })),
-      );
-      input.setAttribute("list", list.id);
-      input.after(list);
-    }
+    const { input } = this.rows[key];
+    if (input instanceof HTMLSelectElement) return addOptions(input, names);
+    const id = `${input.id}l`;
+    if (input.hasAttribute("list")) return;
+    input.setAttribute("list", id);
+    input.after(el("datalist", { id }, ...names.map((value) => el("option", { value }))));
   }
   /**
    * Shows a problem at its field, or says that it has none to be seen.
    * @param {Problem} problem
    */
   at({ field, message, hint }) {
-    const f = this.fields.find((x) => x.field === field && !this.rows.get(x.key)?.row.hidden);
+    const f = this.fields.find((x) => x.field === field && !this.rows[x.key].row.hidden);
     if (f) this.mark(f.key, hint ? `${message}; ${hint}` : message);
     return Boolean(f);
   }

@@ -187,12 +187,10 @@ export function fields({ file, said }, pressure = 0.1) {
  * @param {{ field: string, message: string }} problem
  */
 export function about({ field, message }) {
-  const at = (/** @type {Measure} */ { filed }) => (filed ? message.indexOf(filed) : -1);
-  // One key may begin with another.
-  const named = MEASURES.filter((m) => at(m) >= 0).sort(
-    (a, b) => at(a) - at(b) || (b.filed ?? "").length - (a.filed ?? "").length,
-  );
-  return (measured().find((m) => m.field === field) ?? named[0])?.key;
+  const named = [field, ...(message.match(/[a-z]+\.\w+/g) ?? [])];
+  return named.flatMap(
+    (name) => measured().find((m) => m.field === name || m.filed === name) ?? [],
+  )[0]?.key;
 }
 
 /** Where it is asked. @param {State} state */

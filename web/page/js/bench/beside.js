@@ -9,16 +9,9 @@ import { table } from "../form.js";
 import { fileOf } from "../kept.js";
 import { rested } from "../life.js";
 import { MuscleState, muscle } from "../muscle.js";
-import {
-  asBuilt,
-  number,
-  show,
-  showForce,
-  showLength,
-  showPressure,
-  unitsInAddress,
-} from "../units.js";
+import { asBuilt, show, showForce, showPressure, unitsInAddress } from "../units.js";
 import { signal, watch } from "../watch.js";
+import { RESULTS } from "./sweep.js";
 
 /** @typedef {Commands["force"]["answer"]} Answer */
 /** @typedef {{ name: string, point?: Answer, curve?: CurveAnswer }} Other */
@@ -35,11 +28,11 @@ const MODELS = [
 const ROWS = [
   ["pull of the model", (x) => (x.slack ? "slack" : showForce(x.force_n))],
   ["as built", asBuilt],
-  ["stiffness", (x) => show("stiffness", x.stiffness_n_per_mm, 3)],
-  ["bulged diameter", (x) => showLength(x.bulged_diameter_mm)],
-  ["cavity", (x) => (x.volume_mm3 ? show("volume", x.volume_mm3, 3) : "–")],
   ["threshold pressure", (x) => showPressure(x.start_pressure_mpa, 3)],
-  ["largest stretch", (x) => number(x.max_stretch, 3)],
+  ...RESULTS.slice(1).map(
+    ({ label, kind, of }) =>
+      /** @type {typeof ROWS[number]} */ ([label, (x) => show(kind, Number(x[of]), 3)]),
+  ),
 ];
 /** After a change it waits so long, in milliseconds. */
 const REST = 150;

@@ -5,6 +5,7 @@ import { keepWords } from "../kept.js";
 import { rested } from "../life.js";
 import { muscle } from "../muscle.js";
 import { PRESSURE, point as pointOf } from "../state.js";
+import { allowedOf } from "./family.js";
 import { reach } from "../view3d.js";
 import { niceUp } from "../units.js";
 import { batch, signal } from "../watch.js";
@@ -102,9 +103,7 @@ export class Store {
 
   /** The pressure that the colours reach to: the usual one, or the one that the muscle may have. */
   supply() {
-    const { characteristics, rated_pressure_mpa } = this.facts.value;
-    const allowed = characteristics?.allowed_pressure_mpa ?? rated_pressure_mpa ?? Infinity;
-    const usual = Math.min(PRESSURE.high, allowed);
+    const usual = Math.min(PRESSURE.high, allowedOf(this));
     return muscle.p > usual ? niceUp(muscle.p) : usual;
   }
 

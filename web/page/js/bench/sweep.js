@@ -15,15 +15,16 @@ import { signal, watch } from "../watch.js";
 /** @typedef {Commands["shape"]["answer"]} Answer */
 /** @typedef {{ value: number, answer?: Answer, why?: string }} Row */
 /** A result: name, kind, its field, and those of a muscle that is built where they are known. */
-const RESULTS = /** @type {[string, string, Kind, keyof Answer, (keyof Answer)[]?][]} */ ([
-  ["F", "pull", "force", "force_n", ["predicted_n", "predicted_low_n", "predicted_high_n"]],
-  ["k", "stiffness", "stiffness", "stiffness_n_per_mm"],
-  ["e", "contraction", "ratio", "contraction"],
-  ["b", "bulged diameter", "length", "bulged_diameter_mm"],
-  ["V", "volume of the cavity", "volume", "volume_mm3"],
-  ["l", "largest stretch of the rubber", "number", "max_stretch"],
-  ["T", "tension of all strands", "force", "braid_tension_n"],
-]).map(([key, label, kind, of, built = []]) => ({ key, label, kind, of, built }));
+export const RESULTS =
+  /** @type {[string, string, Kind, keyof Answer & keyof Commands["force"]["answer"], (keyof Answer)[]?][]} */ ([
+    ["F", "pull", "force", "force_n", ["predicted_n", "predicted_low_n", "predicted_high_n"]],
+    ["k", "stiffness", "stiffness", "stiffness_n_per_mm"],
+    ["e", "contraction", "ratio", "contraction"],
+    ["b", "bulged diameter", "length", "bulged_diameter_mm"],
+    ["V", "volume of the cavity", "volume", "volume_mm3"],
+    ["l", "largest stretch of the rubber", "number", "max_stretch"],
+    ["T", "tension of all strands", "force", "braid_tension_n"],
+  ]).map(([key, label, kind, of, built = []]) => ({ key, label, kind, of, built }));
 const POINTS = 21,
   /** After a change it waits so long, in milliseconds. */
   REST = 250;

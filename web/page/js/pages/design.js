@@ -18,7 +18,7 @@ import { liftView } from "../lift.js";
 import { muscle } from "../muscle.js";
 import { openDialog } from "../open.js";
 import { STIFFNESS_NAMES, missing } from "../state.js";
-import { showLength, showPressure } from "../units.js";
+import { showPressure } from "../units.js";
 import { signal, watch } from "../watch.js";
 
 /** @typedef {{ answer: Design["answer"], asked: Design["request"] }} Found */
@@ -143,6 +143,12 @@ function specification(submit) {
   return {
     element: block("", kinds.list, wanted.element, more),
     texts: () => Object.assign({}, ...forms.map((f) => f.texts())),
+    /** Another certainty. @param {number} chance */
+    ensure(chance) {
+      more.open = true;
+      choice.put("sure", `${100 * chance} %`);
+      submit();
+    },
     /** @param {URLSearchParams} params */
     set(params) {
       forms.forEach((f) => f.set(params));
@@ -182,9 +188,7 @@ const priced = () =>
   ));
 
 /** What to set, and how wide it gets. @param {Candidate} c */
-const inUse = (c) =>
-  `${showPressure(c.pressure_mpa, 3)}, ${c.count > 1 ? `${c.count} × ` : ""}` +
-  `${showLength(widthOf(c), 3)} wide`;
+const inUse = (c) => `${showPressure(c.pressure_mpa, 3)}, ${widthOf(c)} wide`;
 
 /** @type {Mount} */
 export const mount = (main) => {
@@ -233,14 +237,7 @@ export const mount = (main) => {
     },
     { minor: true },
   );
-  /** Another muscle of the same question: the one of that certainty. @param {number} certainty */
-  function pick(certainty) {
-    const asked = /** @type {Design["request"]} */ ({ ...question.value, certainty });
-    answerTo("design", { ...asked, top: 1 }, { lane: "job" }).then(
-      (answer) => (first.value = { answer, asked }),
-    );
-  }
-  const curve = chanceCurve(({ chance }) => pick(chance));
+  const curve = chanceCurve(spec.ensure);
 
   watch(() => {
     const found = first.value,
@@ -258,28 +255,15 @@ export const mount = (main) => {
       head.textContent = "";
       return result.replaceChildren(...closestView(answer), rejectedView(answer));
     }
-    const said = verdict(/** @type {{ chance?: number }} */ (best).chance);
+    const said = verdict(best.chance);
     head.textContent = `${said ? `${said}: set` : "Set"} ${inUse(best)}.`;
     act.replaceChildren(mainButton("Open this muscle", () => openCandidate(answer, of)));
     result.replaceChildren(...headView(answer));
   });
   watch(() => {
-    const { choices = [], candidates = [] } = first.value?.answer ?? {},
-      possible = /** @type {import("../design-view.js").Choice[]} */ (choices);
-    others.replaceChildren(
-      choicesView(possible, (i) => pick(Number(possible[i].chance))),
-      curve.element,
-    );
-    curve.show(
-      [...possible, ...candidates].flatMap((c) => {
-        const {
-          chance,
-          width_mm,
-          name = "",
-        } = /** @type {{ chance?: number, width_mm?: number, name?: string }} */ (c);
-        return chance == null || width_mm == null ? [] : [{ chance, width_mm, name }];
-      }),
-    );
+    const { choices = [] } = first.value?.answer ?? {};
+    others.replaceChildren(choicesView(choices, spec.ensure), curve.element);
+    curve.show(choices);
   });
   watch(() => {
     const found = all.value;

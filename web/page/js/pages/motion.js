@@ -109,7 +109,7 @@ const EXAMPLES = [
 function driveBox(take) {
   const said = block();
   const fail = (/** @type {unknown} */ problem) => said.replaceChildren(problemBox(problem));
-  const leave = button("Close the drive file", () => take(""), { hidden: true });
+  const leave = button("Close the drive file", () => take(""));
   const samples = EXAMPLES.map(([text, name]) =>
     button(text, () => example(name).then(take).catch(fail)),
   );
@@ -121,13 +121,7 @@ function driveBox(take) {
     leave,
     said,
   );
-  return {
-    element,
-    /** @param {string} drive */
-    show(drive) {
-      leave.hidden = !drive;
-    },
-  };
+  return { element, leave };
 }
 
 // A motion as people see it: pressures, the way of muscle or joint over time, and its figures.
@@ -230,7 +224,7 @@ export const mount = (main) => {
   let drive = "";
   const fields = form(STEP, () => go.run()),
     shown = player();
-  fields.element.append(folded("Advanced", fields.rows.get("model")?.row));
+  fields.element.append(folded("Advanced", fields.rows.model.row));
   const pressure = chartOf("motion-pressure", { tools: heading("Pressure over time") }),
     way = chartOf("motion-contraction", { tools: heading("Movement over time") }),
     charts = block("charts", pressure.element, way.element),
@@ -273,7 +267,7 @@ export const mount = (main) => {
   /** What a drive file states has no field. */
   function offer() {
     for (const { key } of STEP) fields.shown(key, !drive || key === "model");
-    box.show(drive);
+    box.leave.hidden = !drive;
     title.textContent = drive ? "Commands of a drive file" : "A step on a valve";
   }
 
