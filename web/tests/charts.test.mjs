@@ -172,7 +172,7 @@ inBrowser(({ name, open, blank, url }) => {
       assert.ok(Math.abs(Math.hypot(...shown) / total - 1) < 0.02, `${shown} for ${total}`);
     });
     // They have the names of the command line, in its order.
-    const named = [...words.text.split(": ")[1].matchAll(/([a-z -]+) [\d.]+/g)];
+    const named = [...words.text.split(": ")[1].matchAll(/([a-z() -]+) [\d.]+/g)];
     assert.deepEqual(
       (await parts.locator("dt").allInnerTexts()).slice(0, named.length),
       named.map(([, name]) => name.trim()),

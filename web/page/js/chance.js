@@ -34,21 +34,14 @@ export function verdict(chance) {
 export const certaintyOf = ({ chance }) =>
   CERTAINTIES.find((one) => Number(chance) + SPARE >= one) ?? CERTAINTIES[2];
 
-/** Widths over their chances, to pick a certainty from. @param {(certainty: number) => void} pick */
-export function chanceCurve(pick) {
-  /** @type {Choice[]} */ let all = [];
-  const chart = chartOf("chance", {
-    tools: heading("Width over chance"),
-    drag(x, _, settled) {
-      const off = (/** @type {Choice} */ { chance }) => Math.abs(100 * Number(chance) - x);
-      if (settled) pick(certaintyOf(all.reduce((a, b) => (off(b) < off(a) ? b : a))));
-    },
-  });
+/** Widths over their chances. */
+export function chanceCurve() {
+  const chart = chartOf("chance", { tools: heading("Width over chance") });
   return {
     element: chart.element,
     /** @param {Choice[]} list */
     show(list) {
-      all = list
+      const all = list
         .filter((one) => one.chance != null)
         .sort((a, b) => Number(a.chance) - Number(b.chance));
       chart.element.hidden = all.length < 2;

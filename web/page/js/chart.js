@@ -37,7 +37,7 @@ export const pressureColour = (pressure, top) => shade(pressure / top);
  * unknown }} [options]
  */
 export function chartOf(name, { tools, drag } = {}) {
-  const spec = signal(/** @type {Spec | undefined} */ (undefined)),
+  /** @type {Signal<Spec | undefined>} */ const spec = signal(),
     lines = linesOf(name, drag),
     { host } = lines,
     cells = el("div", { class: "scroll", hidden: true, tabindex: 0 });

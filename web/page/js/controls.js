@@ -180,8 +180,7 @@ export function quantity(spec) {
     slider.value = now === undefined ? "0" : String(1000 * share(now));
     if (fieldToo) write(now === undefined ? "" : asText(now));
     unit.textContent = kind === "ratio" ? "" : (spec.unit ?? unitName(kind));
-    slider.ariaValueText =
-      now === undefined ? "not given" : `${number(outside(kind, now))} ${unitName(kind)}`;
+    slider.ariaValueText = now === undefined ? "not given" : show(kind, now);
     hint();
   }
 
@@ -293,12 +292,6 @@ export async function textOf(file) {
 /** Names of tables end so. */
 export const TABLES = ".csv,.txt,.tsv,.xlsx,.ods";
 /**
- * Boxes that take a file which is dropped on them.
- * @type {WeakMap<Element, (file: File | undefined) => void>}
- */
-export const boxes = new WeakMap();
-
-/**
  * What opens the browser's window of files; a button stands for it.
  * @param {string} label @param {string} accept @param {(files: File[]) => void} take
  */
@@ -331,12 +324,15 @@ export function fileField(label, accept, take) {
     }
   };
   const input = fileInput(label, accept, ([file]) => read(file));
-  const box = block(
-    "drop",
+  const ondrop = (/** @type {DragEvent} */ event) => {
+    event.preventDefault();
+    read(event.dataTransfer?.files[0]);
+  };
+  return el(
+    "div",
+    { class: "drop", ondrop },
     button(label, () => input.click()),
     el("p", { class: "small soft", style: "margin:4px 0 0" }, "or drop it here"),
     input,
   );
-  boxes.set(box, read);
-  return box;
 }

@@ -10,7 +10,6 @@ import { thumbnail } from "./thumbnail.js";
 import {
   asBuilt,
   inWords,
-  number,
   outside,
   show,
   showForce,
@@ -32,57 +31,33 @@ const set = ({ pressure_mpa: p, pressure_low_mpa: low, pressure_high_mpa: high }
   (low && high ? ` (${[low, high].map((v) => showPressure(v, 3)).join(" to ")})` : "");
 const chance = (/** @type {Candidate} */ c) => (c.chance == null ? "–" : inTen(c.chance));
 
-/**
- * Columns: heading, unit for CSV, cell for people, value for CSV.
- * @typedef {[string, string, (c: Candidate) => string, (c: Candidate) => string | number | null | undefined]}
- * Column
- */
+/** Columns: heading, value, kind of its quantity or its unit, and digits. @typedef {[string, (c: Candidate) => string | number | null | undefined, string?, number?]} Column */
 /**
  * Columns that tell the candidates apart; what all have alike is said above.
  * @param {Candidate[]} all @param {Prices} prices @returns {Column[]}
  */
 function columns(all, prices) {
-  /**
-   * @param {string} head @param {string} kind @param {(c: Candidate) => number | null | undefined} of
-   * @returns {Column}
-   */
-  const quantity = (head, kind, of, digits = 4) => [
-    head,
-    unitName(kind),
-    (c) => show(kind, of(c), digits),
-    (c) => Number(outside(kind, of(c) ?? NaN).toPrecision(8)),
-  ];
-  /** @param {string} head @param {(c: Candidate) => string | null | undefined} of @returns {Column} */
-  const words = (head, of) => [head, "", (c) => of(c) || "–", of];
   const price = (/** @type {Candidate} */ { tube, sleeve }) =>
     [tube, sleeve].flatMap((name) => prices.get(name ?? "") ?? []).join(" + ");
-  const mass = (/** @type {Candidate} */ c) => c.mass_g ?? c.rubber_mass_g;
-  const liquid = all.some((c) => c.liquid_volume_mm3);
-  const list = /** @type {Column[]} */ ([
-    words("tube", (c) => c.tube),
-    words("sleeve", (c) => c.sleeve),
-    quantity("D0", "length", (c) => c.outer_diameter_mm),
-    quantity("s", "length", (c) => c.wall_mm),
-    quantity("L0", "length", (c) => c.length_mm),
-    quantity("θ0", "angle", (c) => c.angle_deg),
-    words("rubber", (c) => c.rubber),
-    ["chance", "", chance, (c) => c.chance],
-    quantity("set", "pressure", (c) => c.pressure_mpa, 3),
-    quantity("± of the pull", "force", (c) => c.uncertainty_n, 2),
-    quantity("width in use", "length", (c) => c.width_mm),
-    quantity("burst pressure", "pressure", (c) => c.burst_pressure_mpa, 3),
-    liquid
-      ? quantity("liquid per stroke", "volume", (c) => c.liquid_volume_mm3, 3)
-      : [
-          "air per stroke",
-          "normal L",
-          (c) => `${number(c.air_normal_litres, 3)} L`,
-          (c) => c.air_normal_litres,
-        ],
-    ["mass", "g", (c) => `${number(mass(c), 3)} g`, mass],
-    words("price", price),
-  ]);
-  return list.filter(([head, , , of]) => {
+  /** @type {Column[]} */ const list = [
+    ["tube", (c) => c.tube],
+    ["sleeve", (c) => c.sleeve],
+    ["D0", (c) => c.outer_diameter_mm, "length"],
+    ["s", (c) => c.wall_mm, "length"],
+    ["L0", (c) => c.length_mm, "length"],
+    ["θ0", (c) => c.angle_deg, "angle"],
+    ["rubber", (c) => c.rubber],
+    ["chance", chance],
+    ["set", (c) => c.pressure_mpa, "pressure", 3],
+    ["± of the pull", (c) => c.uncertainty_n, "force", 2],
+    ["width in use", (c) => c.width_mm, "length"],
+    ["burst pressure", (c) => c.burst_pressure_mpa, "pressure", 3],
+    ["liquid per stroke", (c) => c.liquid_volume_mm3, "volume", 3],
+    ["air per stroke", (c) => (c.liquid_volume_mm3 ? null : c.air_normal_litres), "normal L", 3],
+    ["mass", (c) => c.mass_g ?? c.rubber_mass_g, "g", 3],
+    ["price", price],
+  ];
+  return list.filter(([head, of]) => {
     const values = new Set(all.map(of));
     if (head === "L0") return values.size > 1;
     if (head === "rubber" || head === "s") return !all.every((c) => c.tube);
@@ -192,17 +167,27 @@ function points(best) {
  */
 export function foundView(answer, asked, prices) {
   const { candidates } = answer,
-    list = columns(candidates, prices),
-    head = list.map(([name, unit]) => (unit ? `${name} [${unit}]` : name));
-  const save = () =>
-    download("design.csv", csv([head, ...candidates.map((c) => list.map(([, , , of]) => of(c)))]));
-  const named = ["tube", "sleeve", "rubber", "price"];
+    list = columns(candidates, prices);
+  const save = () => {
+    const rows = candidates.map((c) =>
+      list.map(([, of, kind]) => {
+        const value = of(c);
+        return kind ? Number(outside(kind, Number(value)).toPrecision(8)) : value;
+      }),
+    );
+    const head = list.map(([name, , kind]) => (kind ? `${name} [${unitName(kind)}]` : name));
+    download("design.csv", csv([head, ...rows]));
+  };
+  const cell = (/** @type {Candidate} */ c, /** @type {Column} */ [, of, kind, digits]) => {
+    const value = of(c);
+    return typeof value === "number" ? show(kind ?? "", value, digits) : value || "–";
+  };
   return [
     table(
       ["", ...list.map(([name]) => name)],
-      candidates.map((c) => [thumbnail(c), ...list.map(([, , cell]) => cell(c))]),
+      candidates.map((c) => [thumbnail(c), ...list.map((column) => cell(c, column))]),
       {
-        text: list.flatMap(([name], i) => (named.includes(name) ? [i + 1] : [])),
+        text: list.flatMap(([, , kind], i) => (kind ? [] : [i + 1])),
         pick: (i) => openCandidate(answer, asked, i),
         label: "Muscles that fit, best first",
       },

@@ -215,21 +215,14 @@ export function noticeProblem(thrown, what = "") {
   notice([what, inWords(message), inWords(hint)].filter(Boolean).join(" "));
 }
 
-// A window over the page, as the browser has it: Escape closes it, and the focus returns to where
-// it was.
+// A window over the page, as the browser has it: Escape or a click beside it closes it, and the
+// focus returns to where it was.
 let windows = 0;
 /** @param {string} title @param {(close: () => void) => (Node | string | null)[]} inside */
 export function dialog(title, inside) {
   const id = `dialog-${++windows}`;
   const close = () => box.close();
-  const box = el("dialog", {
-    "aria-labelledby": id,
-    onclose: () => box.remove(),
-    // A click beside it closes it too.
-    onclick(/** @type {MouseEvent} */ event) {
-      if (event.target === box) close();
-    },
-  });
+  const box = el("dialog", { "aria-labelledby": id, closedby: "any", onclose: () => box.remove() });
   const head = block("row head", el("h2", { id }, title), button("Close", close));
   box.append(block("inside", head, ...inside(close)));
   document.body.append(box);

@@ -1,6 +1,6 @@
 // Files that are dropped anywhere, or chosen: what each is follows from what it holds, and each
 // goes to the page that it belongs to.
-import { boxes, textOf } from "./controls.js";
+import { textOf } from "./controls.js";
 import { headings } from "./columns.js";
 import { ofFile } from "./joint-words.js";
 import { keepFile, measured } from "./kept.js";
@@ -155,10 +155,9 @@ export function dropAnywhere() {
   addEventListener("drop", (event) => {
     classList.remove("dropping");
     const files = [...(event.dataTransfer?.files ?? [])];
-    if (!files.length) return;
+    // A box for one kind of file has taken it.
+    if (!files.length || event.defaultPrevented) return;
     event.preventDefault();
-    const box = /** @type {Element} */ (event.target).closest(".drop");
-    if (box) boxes.get(box)?.(files[0]);
-    else takeFiles(files);
+    takeFiles(files);
   });
 }

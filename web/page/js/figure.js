@@ -57,11 +57,11 @@ function spec(panel, figure) {
     const n = s.colour ?? i,
       auto = ordered ? "solid" : DASHES[n % DASHES.length],
       band = s.style === "band";
-    const dashes = /** @type {Record<string, Series["dash"]>} */ ({
+    /** @type {Record<string, Series["dash"]>} */ const dashes = {
       dashed: "dash",
       dotted: "dot",
       auto,
-    });
+    };
     return {
       name: band ? "±" : s.label || s.end_label || panel.y.label,
       legend: band ? "" : s.label,

@@ -101,9 +101,9 @@ class Form {
    * @param {{ intervals?: boolean }} [options] @returns {Promise<Read | undefined>}
    */
   async read({ intervals = false } = {}) {
-    const values = /** @type {Read} */ ({}),
-      asked = /** @type {Asked[]} */ ([]),
-      notes = /** @type {Map<string, string>} */ (new Map());
+    /** @type {Read} */ const values = {},
+      /** @type {Asked[]} */ asked = [],
+      /** @type {Map<string, string>} */ notes = new Map();
     /** A text as the engine shall read it. @param {Field} f @param {Kind} kind @param {string} text */
     const clear = (f, kind, text) => {
       if (f.list) return withUnit(kind, text);
@@ -126,7 +126,7 @@ class Form {
       if (pair)
         values[field] = text.split(",").map((one) => {
           const parts = one.split(/@| at /),
-            item = /** @type {Record<string, number>} */ ({});
+            /** @type {Record<string, number>} */ item = {};
           pair.forEach(([of, name], i) =>
             ask(f, of, (parts[i] ?? "").trim(), (v) => (item[name] = Number(v))),
           );

@@ -6,6 +6,7 @@ import {
   niceUp,
   number,
   outside,
+  show,
   showForce,
   showLength,
   showPressure,
@@ -250,6 +251,6 @@ function load(point, angle, arm) {
         `L${at(r, tip)}L${at(1.06 * r, back)}`,
       "load",
     ),
-    words(`${number(outside("torque", torque), 3)} ${unitName("torque")}`, x, y),
+    words(show("torque", torque, 3), x, y),
   ];
 }

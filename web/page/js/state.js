@@ -32,7 +32,7 @@ const STRAND_DIAMETER = {
   high: 1,
 };
 /** Measures of the muscle, as the program lists them. */
-export let MEASURES = /** @type {Measure[]} */ ([]);
+/** @type {Measure[]} */ export let MEASURES = [];
 /**
  * The usual ones; of the strands of a named sleeve, where its source does not state them; what the
  * ends of the muscle do; all others.
@@ -48,9 +48,8 @@ export function takeMeasures({ measures }) {
   MEASURES = measures.flatMap(
     ({ key, group, field, label, quantity, unit, default: usual, ...rest }) => {
       if (!field) return [];
-      const kind = /** @type {Kind} */ (
-        /modul/.test(key) && quantity === "pressure" ? "modulus" : (quantity ?? "number")
-      );
+      /** @type {Kind} */ const kind =
+        /modul/.test(key) && quantity === "pressure" ? "modulus" : (quantity ?? "number");
       const found = /** @type {Measure} */ ({
         ...rest,
         ...OWN[field],

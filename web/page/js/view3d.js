@@ -54,7 +54,7 @@ const shares = (half) => Array.from({ length: 2 * half + 1 }, (_, i) => i / half
 
 /** @param {WebGL2RenderingContext} gl @param {string} vertex */
 function program(gl, vertex) {
-  const made = /** @type {WebGLProgram} */ (gl.createProgram());
+  /** @type {WebGLProgram} */ const made = gl.createProgram();
   for (const [kind, source] of /** @type {[number, string][]} */ ([
     [gl.VERTEX_SHADER, vertex],
     [gl.FRAGMENT_SHADER, FRAGMENT],

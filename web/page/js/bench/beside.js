@@ -39,8 +39,8 @@ const REST = 150;
 
 /** @param {Store} store */
 export function besideView(store) {
-  const held = signal(/** @type {MuscleState | undefined} */ (undefined)),
-    others = signal(/** @type {Other[]} */ ([])),
+  /** @type {Signal<MuscleState | undefined>} */ const held = signal(),
+    /** @type {Signal<Other[]>} */ others = signal([]),
     formula = fileOf("formula");
   let word = "",
     turn = 0;
@@ -102,7 +102,7 @@ export function besideView(store) {
 
   watch(() => {
     const list = others.value,
-      now = /** @type {Answer | undefined} */ (muscle.assessed),
+      /** @type {Answer | undefined} */ now = muscle.assessed,
       points = [now, ...list.map(({ point }) => point)];
     const rows = ROWS.map(([name, of]) => [capital(name), ...points.map((x) => (x ? of(x) : "–"))]);
     const head = ["", "now", ...list.map(({ name }) => name)];

@@ -18,13 +18,9 @@ import {
 import { braidName, niceUp, partName } from "../units.js";
 import { watch } from "../watch.js";
 
-/** Tables of the muscle file as the page calls them. @type {Record<string, string>} */
-const GROUPS = { tube: "Tube", braid: "Braid", terminals: "Ends", friction: "Friction" };
-const ORDER = Object.keys(GROUPS);
-
 /** @param {Store} store */
 export function controlsView(store) {
-  const controls = /** @type {Record<string, ReturnType<typeof quantity>>} */ ({});
+  /** @type {Record<string, ReturnType<typeof quantity>>} */ const controls = {};
   const make = (/** @type {Measure} */ spec) => {
     const change = (/** @type {number | undefined} */ value, /** @type {boolean} */ settled) =>
       store.changed(spec.key, value, settled);
@@ -131,12 +127,12 @@ function section(make, { rubber, braid, strands, held, branch }) {
 function choices(store) {
   const stiffness = () => Math.round(store.facts.value.stiffness_n_per_mm ?? 300);
   const load = () => Math.max(1, Math.round(store.point.value?.force_n ?? 100));
-  const names = /** @type {[string, string][]} */ ([
+  /** @type {[string, string][]} */ const names = [
     ["", ""],
     ["inextensible", "inextensible"],
     ["paper", "braid (Antonelli 2018)"],
     ["k", "Custom stiffness"],
-  ]);
+  ];
   const put = (/** @type {string} */ key) => (/** @type {string} */ name) =>
     store.changed(key, name, true);
   return {
@@ -171,13 +167,11 @@ function choices(store) {
  * @param {(spec: Measure) => HTMLElement} make
  */
 function moreMeasures(make) {
-  const groups = [...new Set(MORE.map(({ group = "" }) => group))].sort(
-    (a, b) => ORDER.indexOf(a) - ORDER.indexOf(b),
-  );
+  const groups = [...new Set(MORE.map(({ group = "" }) => group))];
   const box = (/** @type {string} */ group) =>
     el(
       "fieldset",
-      el("legend", GROUPS[group] ?? capital(group)),
+      el("legend", capital(group)),
       ...MORE.filter((m) => m.group === group).map((m) => block("", make(m))),
     );
   return folded("More properties", ...groups.map(box));

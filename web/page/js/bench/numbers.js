@@ -91,11 +91,8 @@ function rows(facts, point) {
     ["Free contraction", showRatio(c?.free_contraction, 3)],
     ["Least burst pressure", burst ? showPressure(burst, 3) : "unknown"],
     ["Allowed pressure", showPressure(c?.allowed_pressure_mpa, 3)],
-    ["Work over the full stroke", c?.work_j ? `${number(c.work_j, 3)} J` : "–"],
-    [
-      "Air over the full stroke",
-      c?.air_normal_litres ? `${number(c.air_normal_litres, 3)} normal L` : "–",
-    ],
+    ["Work over the full stroke", show("J", c?.work_j, 3)],
+    ["Air over the full stroke", show("normal L", c?.air_normal_litres, 3)],
   ];
 }
 
@@ -115,6 +112,7 @@ function warned(point) {
 const PARTS = {
   pull_factor: "muscle to muscle",
   take_up: "take-up",
+  beyond_measured: "beyond measured muscles (judgement)",
   braid: "stiffness of the braid",
   fit: "own points",
   measured: "model against tests",

@@ -18,7 +18,7 @@ const REST = 250;
 /** @param {Store} store */
 export function pointsView(store) {
   const slot = new Slot(),
-    found = signal(/** @type {Commands["identify"]["answer"] | undefined} */ (undefined));
+    /** @type {Signal<Commands["identify"]["answer"] | undefined>} */ found = signal();
   const words = el("span"),
     said = block();
   // The shear modulus that fits them best becomes the muscle's.

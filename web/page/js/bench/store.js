@@ -37,7 +37,7 @@ export class Store {
    */
   problem = nothing();
   /** What the muscle does at this pressure. */
-  facts = signal(/** @type {Partial<Commands["check"]["answer"]>} */ ({}));
+  /** @type {Signal<Partial<Commands["check"]["answer"]>>} */ facts = signal({});
   /**
    * Ends of the colour scales, by field: of the muscle up to its supply.
    * @type {ReturnType<typeof nothing<Record<string, [number, number]>>>}
@@ -125,7 +125,7 @@ export class Store {
     const shapes = await Promise.all(
       states.map((at) => answerTo("shape", { muscle: of, ...at }).catch(() => undefined)),
     );
-    const found = /** @type {Record<string, [number, number]>} */ ({});
+    /** @type {Record<string, [number, number]>} */ const found = {};
     for (const shape of shapes) if (shape) widen(found, /** @type {Shape} */ (shape));
     if (this.rangesKey === key) this.ranges.value = shapes.some(Boolean) ? found : undefined;
   }

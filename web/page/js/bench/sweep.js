@@ -40,9 +40,9 @@ function usualRange({ key, low = 0, high = Infinity, minimum = -Infinity, maximu
 
 /** @param {Store} store @param {import("../chart.js").Chart} chart */
 export function sweepView(store, chart) {
-  const rows = signal(/** @type {Row[]} */ ([])),
+  /** @type {Signal<Row[]>} */ const rows = signal([]),
     begin = renewing(),
-    measures = /** @type {Measure[]} */ ([PRESSURE, CONTRACTION, ...MEASURES]);
+    /** @type {Measure[]} */ measures = [PRESSURE, CONTRACTION, ...MEASURES];
   const measure = () => measures.find(({ key }) => key === store.wanted.value.x) ?? PRESSURE,
     result = () => RESULTS.find(({ key }) => key === store.wanted.value.y) ?? RESULTS[0];
   let fields = form([], () => {}),

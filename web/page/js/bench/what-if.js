@@ -6,7 +6,7 @@ import { fieldsOf, form } from "../form.js";
 import { renewing, rested } from "../life.js";
 import { muscle } from "../muscle.js";
 import { CONTRACTION, PRESSURE, QUANTITIES, question, say } from "../state.js";
-import { evenly, inWords, number, outside, show, showForce, unitName } from "../units.js";
+import { evenly, inWords, show, showForce, unitName } from "../units.js";
 import { watch } from "../watch.js";
 
 /** Values that are tried between two, and how often. */
@@ -112,7 +112,7 @@ export function tornadoView(store) {
       held = muscle.state.F !== undefined,
       state = { ...muscle.state, F: undefined, e: at.contraction };
     words.textContent = "Computing …";
-    const list = /** @type {Measure[]} */ ([...QUANTITIES, PRESSURE, CONTRACTION]).filter(
+    /** @type {Measure[]} */ const list = [...QUANTITIES, PRESSURE, CONTRACTION].filter(
       ({ key }) => !(key === "angle" && muscle.shown?.sleeve) && !(key === "e" && held),
     );
     const change = (/** @type {string} */ key, /** @type {number} */ sign) =>
@@ -148,16 +148,17 @@ export function tornadoView(store) {
 
 /** @param {Measure} m @param {number[]} changes @param {number} reach */
 function bar(m, changes, reach) {
-  const step = STEPS[m.key],
-    text = m.kind === "ratio" ? `${100 * step} %` : show(m.kind, step, 2);
-  const signed = (/** @type {number} */ v) =>
-    `${v < 0 ? "−" : "+"}${number(outside("force", Math.abs(v)), 2)} ${unitName("force")}`;
+  const signed = (/** @type {number} */ v) => `${v < 0 ? "−" : "+"}${showForce(Math.abs(v), 2)}`;
   const piece = (/** @type {number} */ v, /** @type {number} */ i) =>
     el("b", {
       class: i ? "more" : "less",
       style: `${v < 0 ? "right" : "left"}:50%;width:${((50 * Math.abs(v)) / reach).toFixed(1)}%`,
     });
-  const label = el("span", m.label, el("span", { class: "soft" }, ` ± ${text}`));
+  const label = el(
+    "span",
+    m.label,
+    el("span", { class: "soft" }, ` ± ${show(m.kind, STEPS[m.key], 2)}`),
+  );
   const value = el("span", changes.length === 2 ? changes.map(signed).join(", ") : "–");
   return block("", label, value, el("i", ...changes.map(piece)));
 }

@@ -97,8 +97,8 @@ export const FIELDS = fieldsOf([
 
 /** @type {Mount} */
 export const mount = (main) => {
-  const compared = signal(/** @type {Commands["compare"]["answer"] | undefined} */ (undefined)),
-    known = signal(/** @type {Commands["identify"]["answer"] | undefined} */ (undefined));
+  /** @type {Signal<Commands["compare"]["answer"] | undefined>} */ const compared = signal(),
+    /** @type {Signal<Commands["identify"]["answer"] | undefined>} */ known = signal();
   const looking = new Slot(),
     reading = new Slot();
   const what = form(FIELDS, look),

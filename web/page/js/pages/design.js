@@ -22,7 +22,7 @@ import { showPressure } from "../units.js";
 import { signal, watch } from "../watch.js";
 
 /** @typedef {{ answer: Design["answer"], asked: Design["request"] }} Found */
-const OBJECTIVES = /** @type {[string, string][]} */ ([
+/** @type {[string, string][]} */ const OBJECTIVES = [
   ["bulged-diameter", "recommended: slim, sold"],
   ["diameter", "slimmest at rest"],
   ["pressure", "lowest pressure"],
@@ -30,7 +30,7 @@ const OBJECTIVES = /** @type {[string, string][]} */ ([
   ["length", "shortest"],
   ["mass", "lightest"],
   ["chance", "surest"],
-]);
+];
 /** The question. @type {Field[]} */
 export const WANTED = fieldsOf([
   ["F", "force_n", "It must pull", "force", "300 N"],
@@ -192,11 +192,11 @@ const inUse = (c) => `${showPressure(c.pressure_mpa, 3)}, ${widthOf(c)} wide`;
 
 /** @type {Mount} */
 export const mount = (main) => {
-  const first = signal(/** @type {Found | undefined} */ (undefined)),
-    all = signal(/** @type {Found | undefined} */ (undefined)),
-    known = signal(/** @type {Map<string, string>} */ (new Map()));
+  /** @type {Signal<Found | undefined>} */ const first = signal(),
+    /** @type {Signal<Found | undefined>} */ all = signal(),
+    /** @type {Signal<Map<string, string>>} */ known = signal(new Map());
   /** The question of the answer that comes. */
-  const question = signal(/** @type {Design["request"] | undefined} */ (undefined));
+  /** @type {Signal<Design["request"] | undefined>} */ const question = signal();
   const spec = specification(() => ask.run());
   const head = el("h2", { class: "grow", ariaLive: "polite" }),
     act = rowOf(),
@@ -237,7 +237,7 @@ export const mount = (main) => {
     },
     { minor: true },
   );
-  const curve = chanceCurve(spec.ensure);
+  const curve = chanceCurve();
 
   watch(() => {
     const found = first.value,

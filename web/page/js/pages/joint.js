@@ -163,9 +163,9 @@ const PAIRS = [
 export const mount = (main) => {
   const joint = new JointWords(),
     { v, files } = joint;
-  const point = signal(/** @type {JointPoint | undefined} */ (undefined)),
-    family = signal(/** @type {Family | undefined} */ (undefined)),
-    reached = signal(/** @type {JointAnswer["map"]} */ (undefined));
+  /** @type {Signal<JointPoint | undefined>} */ const point = signal(),
+    /** @type {Signal<Family | undefined>} */ family = signal(),
+    /** @type {Signal<JointAnswer["map"]>} */ reached = signal();
   /** The file that says what the muscle of the page Muscle is. */
   let first = "";
   const arm = el("div", { class: "stage", role: "img", ariaLabel: "The joint" }),
@@ -187,7 +187,6 @@ export const mount = (main) => {
       await joint.fromFile();
       set();
       ask(true);
-      map.run();
     },
   });
   /**
@@ -208,14 +207,7 @@ export const mount = (main) => {
       drag: (x, _, settled) => turned(x, settled),
     }),
     reach = chartOf("joint-map", { tools: heading("Reachable stiffness") });
-  const map = job(
-    "Map of the reachable states",
-    "joint",
-    async () => ({ ...byFormula(), map: 25, max_pressure_mpa: v.pmax }),
-    (answer) => (reached.value = answer.map),
-    { fields: { at: mark } },
-  );
-  const slots = { first: new Slot(), final: new Slot(), curves: new Slot() };
+  const slots = { first: new Slot(), final: new Slot(), curves: new Slot(), map: new Slot() };
   let turn = 0;
   /** @param {JointAnswer} answer */
   function take(answer) {
@@ -237,7 +229,7 @@ export const mount = (main) => {
     block(
       "bench",
       element,
-      block("middle", arm, block("charts", torque.element, reach.element), map.element),
+      block("middle", arm, block("charts", torque.element, reach.element)),
       block("side", said, numbers, notes),
     ),
   );
@@ -288,7 +280,10 @@ export const mount = (main) => {
       { ...byFormula(), pressures_mpa: pairs, angles_deg: angles },
       (answer) => (family.value = { answer, angles, pairs }),
     );
-    if (settled) keepWords("joint", joint.words());
+    if (!settled) return;
+    keepWords("joint", joint.words());
+    const map = { ...byFormula(), map: 25, max_pressure_mpa: v.pmax };
+    slots.map.ask("joint", map, (answer) => (reached.value = answer.map));
   }
   const stale = (/** @type {boolean} */ on) => dim([arm, numbers], on);
   watch(() => {
@@ -329,7 +324,6 @@ export const mount = (main) => {
         return void said.replaceChildren(problemBox(problem));
       }
       ask(true);
-      map.run();
     },
   };
 };

@@ -11,7 +11,7 @@ import { muscle } from "../muscle.js";
 import { playing } from "../play.js";
 import { motion } from "../state.js";
 import { stated } from "../toml.js";
-import { number, outside, ratioAxis, showPressure, showRatio, unitName } from "../units.js";
+import { number, outside, ratioAxis, show, showPressure, showRatio, unitName } from "../units.js";
 import { viewOf } from "../view3d.js";
 import { signal, watch } from "../watch.js";
 
@@ -181,8 +181,7 @@ const speed = ({ largest_velocity_deg_per_s: turn, largest_velocity_mm_per_s: wa
 
 /** @param {Run} run */
 function figures(run) {
-  const time = (/** @type {number | null | undefined} */ x) =>
-    x == null ? "–" : `${number(x, 3)} s`;
+  const time = (/** @type {number | null | undefined} */ x) => show("s", x, 3);
   return table(
     ["", ""],
     [
@@ -191,8 +190,8 @@ function figures(run) {
       ["Overshoot", showRatio(run.overshoot, 3)],
       ["Filled within 2 % after", time(run.fill_time_s)],
       run.liquid_volume_mm3 == null
-        ? ["Air from the supply", `${number(run.air_normal_litres, 3)} normal L`]
-        : ["Liquid pushed in", `${number(run.liquid_volume_mm3 / 1000, 4)} mL`],
+        ? ["Air from the supply", show("normal L", run.air_normal_litres, 3)]
+        : ["Liquid pushed in", show("mL", run.liquid_volume_mm3 / 1000)],
       ["Largest speed", speed(run)],
     ],
     { label: "figures of the step" },
@@ -220,7 +219,7 @@ function stateAt({ series: s }, i) {
 
 /** @type {Mount} */
 export const mount = (main) => {
-  const run = signal(/** @type {Run | undefined} */ (undefined));
+  /** @type {Signal<Run | undefined>} */ const run = signal();
   let drive = "";
   const fields = form(STEP, () => go.run()),
     shown = player();

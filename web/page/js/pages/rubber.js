@@ -62,7 +62,7 @@ function row(law, answer) {
 
 /** @type {Mount} */
 export const mount = (main) => {
-  const found = signal(/** @type {Answer | undefined} */ (undefined));
+  /** @type {Signal<Answer | undefined>} */ const found = signal();
   let data = fileOf("rubber");
   const fields = form(FIELDS, () => fit.run()),
     figures = new Figures("rubber");
