@@ -1,14 +1,12 @@
 // A chart: curves over a picture or none, as SVG (lines.js); with a table, PNG, SVG and CSV.
-import { atEnd } from "./life.js";
 import { csv } from "./columns.js";
-import { block, button, download, el, menu } from "./dom.js";
-import { table } from "./form.js";
+import { block, button, download, el, menu, table } from "./dom.js";
 import { linesOf } from "./lines.js";
 import { KINDS } from "./plot.js";
 import { VIRIDIS } from "./shaders.js";
 import { isDark } from "./theme.js";
 import { builtPull, clamp, number, outside } from "./units.js";
-import { signal, watch } from "./watch.js";
+import { atEnd, signal, watch } from "./watch.js";
 
 export { KINDS };
 

@@ -2,8 +2,17 @@
 // the table of all, and what would fit.
 import { certaintyOf, inTen } from "./chance.js";
 import { csv } from "./columns.js";
-import { button, capital, download, el, folded, heading, paragraph } from "./dom.js";
-import { table, warnings } from "./form.js";
+import {
+  button,
+  capital,
+  download,
+  el,
+  folded,
+  heading,
+  paragraph,
+  table,
+  warnings,
+} from "./dom.js";
 import { muscle, visit } from "./muscle.js";
 import { prototype } from "./state.js";
 import { thumbnail } from "./thumbnail.js";

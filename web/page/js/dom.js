@@ -229,3 +229,73 @@ export function dialog(title, inside) {
   box.showModal();
   return box;
 }
+
+/**
+ * A table.
+ * @param {string[]} head @param {(string | Node)[][]} rows
+ * @param {{ text?: number[], pick?: (row: number) => void, label?: string }} [options] columns of
+ * text are aligned
+ *   left
+ */
+export function table(head, rows, { text = [0], pick, label } = {}) {
+  const cell = (
+    /** @type {"td" | "th"} */ tag,
+    /** @type {string | Node} */ value,
+    /** @type {number} */ i,
+  ) =>
+    el(
+      tag,
+      { class: text.includes(i) ? "text" : undefined, scope: tag === "th" ? "col" : undefined },
+      value,
+    );
+  const picked = (/** @type {number} */ i) =>
+    pick
+      ? {
+          class: "pick",
+          tabindex: 0,
+          onclick: () => pick(i),
+          onkeydown(/** @type {KeyboardEvent} */ event) {
+            if (event.key === "Enter") pick(i);
+          },
+        }
+      : {};
+  const body = rows.map((row, i) =>
+    el("tr", picked(i), ...row.map((value, k) => cell("td", value, k))),
+  );
+  return el(
+    "div",
+    {
+      class: "scroll",
+      tabindex: pick ? undefined : 0,
+      role: "region",
+      ariaLabel: label ?? "table",
+    },
+    el(
+      "table",
+      el("thead", el("tr", ...head.map((h, i) => cell(h ? "th" : "td", h, i)))),
+      el("tbody", ...body),
+    ),
+  );
+}
+
+/**
+ * Warnings of an answer, and other sentences.
+ * @param {(string | { message: string })[] | undefined} list
+ */
+export const warnings = (list) =>
+  el(
+    "ul",
+    { class: "warnings" },
+    ...(list ?? []).map((w) => el("li", capital(inWords(typeof w === "string" ? w : w.message)))),
+  );
+
+/** Inputs in one column. @param {string} label @param {Child[]} children */
+export const inputs = (label, ...children) =>
+  el("section", { class: "controls", ariaLabel: label }, ...children);
+
+/**
+ * A page of controls, and what they lead to beside them.
+ * @param {string} label @param {(Node | string | null)[]} controls @param {Node[]} middle
+ */
+export const bench = (label, controls, middle) =>
+  block("bench two", inputs(label, ...controls), block("middle", ...middle));

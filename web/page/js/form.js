@@ -6,19 +6,17 @@ import {
   addOptions,
   block,
   button,
-  capital,
   dim,
   el,
   mainButton,
   problemBox,
   optionsOf,
-  tabs,
   textField,
 } from "./dom.js";
 import { isAbort, problemOf } from "./engine/problem.js";
 import { atEnd } from "./life.js";
 import { muscle } from "./muscle.js";
-import { expectation, inWords, meant, pointed, show, withUnit } from "./units.js";
+import { expectation, meant, pointed, show, withUnit } from "./units.js";
 
 /**
  * @typedef {number | number[] | { low: number, high: number } | undefined} Value
@@ -30,8 +28,8 @@ import { expectation, inWords, meant, pointed, show, withUnit } from "./units.js
  */
 
 let count = 0;
-/** A field with its label. @param {Field} f @param {() => void} submit @returns {Row} */
-function fieldRow(f, submit) {
+/** A field with its label. @param {Field} f @returns {Row} */
+function fieldRow(f) {
   const id = `f${++count}`,
     { kind } = f;
   const input = f.options
@@ -43,12 +41,6 @@ function fieldRow(f, submit) {
     if (kind) input.title = expectation(kind);
   };
   for (const event of ["pointerenter", "focus"]) input.addEventListener(event, hint);
-  // A form of several fields without a button of its own is not submitted by Enter.
-  input.addEventListener("keydown", (event) => {
-    if (/** @type {KeyboardEvent} */ (event).key !== "Enter" || f.options) return;
-    event.preventDefault();
-    submit();
-  });
   const below = el("p", { id: `${id}w`, hidden: true });
   const line = el("div", { class: "choice" }, el("label", { for: id }, f.label), input);
   const row = el("div", { hidden: f.hidden }, line, below);
@@ -75,7 +67,7 @@ class Form {
   constructor(fields, submit) {
     this.fields = fields;
     this.keys = fields.map((f) => f.key);
-    this.rows = Object.fromEntries(fields.map((f) => [f.key, fieldRow(f, submit)]));
+    this.rows = Object.fromEntries(fields.map((f) => [f.key, fieldRow(f)]));
     const send = (/** @type {Event} */ event) => {
       event.preventDefault();
       submit();
@@ -84,6 +76,8 @@ class Form {
       "form",
       { onsubmit: send },
       ...Object.values(this.rows).map(({ row }) => row),
+      // Enter in any field is as a click on it.
+      el("button", { hidden: true }),
     );
   }
 
@@ -219,30 +213,6 @@ export const fieldsOf = (rows) =>
     ...(typeof more === "string" ? { value: more } : more),
   }));
 
-/**
- * A switch between kinds of a question, each with its fields of a form.
- * @param {Form} of @param {[kind: string, text: string, fields: string[]][]} kinds
- * @param {(kind: string) => void} choose
- */
-export function kindsOf(of, kinds, choose) {
-  const { list, set } = tabs(
-    "What it must do",
-    kinds.map(([kind, text]) => [kind, text]),
-    "",
-    (kind) => {
-      select(kind);
-      choose(kind);
-    },
-  );
-  function select(/** @type {string} */ chosen) {
-    set(chosen);
-    const own = kinds.find(([kind]) => kind === chosen)?.[2] ?? [];
-    for (const key of kinds.flatMap(([, , keys]) => keys)) of.shown(key, own.includes(key));
-  }
-  select(kinds[0][0]);
-  return { list, select };
-}
-
 /** A form of quantities. @param {Field[]} fields @param {() => void} submit */
 export const form = (fields, submit) => new Form(fields, submit);
 
@@ -308,73 +278,3 @@ export function job(label, command, request, take, { fields, shown = [], minor =
   atEnd(() => ends?.abort());
   return { element: block("", block("row", start, stop, bar, words), said), run };
 }
-
-/**
- * A table.
- * @param {string[]} head @param {(string | Node)[][]} rows
- * @param {{ text?: number[], pick?: (row: number) => void, label?: string }} [options] columns of
- * text are aligned
- *   left
- */
-export function table(head, rows, { text = [0], pick, label } = {}) {
-  const cell = (
-    /** @type {"td" | "th"} */ tag,
-    /** @type {string | Node} */ value,
-    /** @type {number} */ i,
-  ) =>
-    el(
-      tag,
-      { class: text.includes(i) ? "text" : undefined, scope: tag === "th" ? "col" : undefined },
-      value,
-    );
-  const picked = (/** @type {number} */ i) =>
-    pick
-      ? {
-          class: "pick",
-          tabindex: 0,
-          onclick: () => pick(i),
-          onkeydown(/** @type {KeyboardEvent} */ event) {
-            if (event.key === "Enter") pick(i);
-          },
-        }
-      : {};
-  const body = rows.map((row, i) =>
-    el("tr", picked(i), ...row.map((value, k) => cell("td", value, k))),
-  );
-  return el(
-    "div",
-    {
-      class: "scroll",
-      tabindex: pick ? undefined : 0,
-      role: "region",
-      ariaLabel: label ?? "table",
-    },
-    el(
-      "table",
-      el("thead", el("tr", ...head.map((h, i) => cell(h ? "th" : "td", h, i)))),
-      el("tbody", ...body),
-    ),
-  );
-}
-
-/**
- * Warnings of an answer, and other sentences.
- * @param {(string | { message: string })[] | undefined} list
- */
-export const warnings = (list) =>
-  el(
-    "ul",
-    { class: "warnings" },
-    ...(list ?? []).map((w) => el("li", capital(inWords(typeof w === "string" ? w : w.message)))),
-  );
-
-/** Inputs in one column. @param {string} label @param {import("./dom.js").Child[]} children */
-export const inputs = (label, ...children) =>
-  el("section", { class: "controls", ariaLabel: label }, ...children);
-
-/**
- * A page of controls, and what they lead to beside them.
- * @param {string} label @param {(Node | string | null)[]} controls @param {Node[]} middle
- */
-export const bench = (label, controls, middle) =>
-  block("bench two", inputs(label, ...controls), block("middle", ...middle));

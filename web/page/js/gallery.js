@@ -1,6 +1,19 @@
 // Muscles to begin with: files of the folder `examples`, with pictures that are drawn from them.
 import { address } from "./address.js";
-import { block, button, capital, download, el, heading, mainButton, rowOf } from "./dom.js";
+import {
+  block,
+  button,
+  capital,
+  dialog,
+  download,
+  el,
+  heading,
+  mainButton,
+  problemBox,
+  rowOf,
+} from "./dom.js";
+import { takeFiles } from "./drop.js";
+import { TABLES, fileInput } from "./controls.js";
 import { keepFile, measured } from "./kept.js";
 import { SCRIPTS } from "./place.js";
 import { card, thumbnail } from "./thumbnail.js";
@@ -175,4 +188,32 @@ export function library(fail, opened) {
     fail,
   );
   return block("", heading("Identified from measured points"), box);
+}
+
+/** Open: a file of any kind, a muscle of the gallery or of the library. */
+export function openDialog() {
+  dialog("Open a muscle", (close) => {
+    const said = block();
+    const fail = (/** @type {unknown} */ problem) => said.replaceChildren(problemBox(problem));
+    const open = (/** @type {File[]} */ files) => {
+      close();
+      takeFiles(files);
+    };
+    const input = fileInput("Files", `.toml,.json,${TABLES}`, open, true);
+    return [
+      rowOf(
+        mainButton("Choose files", () => input.click()),
+        input,
+        el(
+          "span",
+          { class: "small soft" },
+          "A muscle, a joint or a drive (TOML), measured points (CSV, XLSX, ODS), or a formula (JSON). You can also drop files " +
+            "anywhere on the page.",
+        ),
+      ),
+      said,
+      gallery(fail, close),
+      library(fail, close),
+    ];
+  });
 }

@@ -49,10 +49,7 @@ export function helpDialog() {
         "A muscle at rest with outer diameter D0, wall s, length L0 and braid angle θ0; and under " +
         "pressure p, contracted by ε, with its pull F",
     }),
-    remark(
-      "As built: what a muscle that you build pulls, the median and the interval that 95 % of " +
-        "measured muscles keep. The chance: how many of ten that are built reach what was asked.",
-    ),
+    remark("The chance: how many of ten that are built reach what was asked."),
     DOCUMENTATION
       ? el("iframe", { class: "book", title: "The book", src: book(help) })
       : remark("The book comes with the program: ", el("code", `docs/${help.split("#")[0]}.md`)),

@@ -6,7 +6,6 @@ import { byId, dim, el, mainButton, notice, paragraph, problemBox } from "./dom.
 import { dropAnywhere } from "./drop.js";
 import { helpButton, helpDialog } from "./help.js";
 import { keepWords, wordsOf } from "./kept.js";
-import { endAll } from "./life.js";
 import { loadMeasures, muscle } from "./muscle.js";
 import { offline } from "./offline.js";
 import { SCRIPTS } from "./place.js";
@@ -15,7 +14,7 @@ import { MOVED, PAGES, PLACES, pageOf, viewsOf } from "./pages.js";
 import "./pages/design.js";
 import { keys } from "./state.js";
 import { record, step } from "./steps.js";
-import { effect, signal } from "./watch.js";
+import { effect, endAll, signal } from "./watch.js";
 
 const main = byId("main");
 /** @typedef {{ load: (params: URLSearchParams) => Promise<void> }} View */

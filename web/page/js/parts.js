@@ -1,9 +1,8 @@
 // Parts that one can buy or cast: tubes, sleeves and rubbers; a button puts one into the muscle.
 import { answerTo } from "./ask.js";
 import { choice } from "./controls.js";
-import { block, button, capital, dialog, el, folded, problemBox, textField } from "./dom.js";
+import { block, button, capital, dialog, el, folded, problemBox, table, textField } from "./dom.js";
 import { problemOf } from "./engine/problem.js";
-import { table } from "./form.js";
 import { muscle, visit } from "./muscle.js";
 import { inWords, number, show, showLength, showPressure, showRatio } from "./units.js";
 

@@ -202,6 +202,7 @@ export function drawing(spec, at, colours, file = false) {
       "font-family": "system-ui, sans-serif",
       "font-size": FONT,
       fill: colours.ink,
+      color: colours.ink,
       "aria-hidden": file ? undefined : "true",
     },
     file ? svg("rect", { width, height, fill: colours.paper }) : "",

@@ -4,13 +4,11 @@ import { query } from "../address.js";
 import { answerTo } from "../ask.js";
 import { KINDS, isobars } from "../chart.js";
 import { choice } from "../controls.js";
-import { block, button, capital } from "../dom.js";
-import { table } from "../form.js";
+import { block, button, capital, table } from "../dom.js";
 import { fileOf } from "../kept.js";
-import { rested } from "../life.js";
 import { MuscleState, muscle } from "../muscle.js";
 import { asBuilt, show, showForce, showPressure, unitsInAddress } from "../units.js";
-import { signal, watch } from "../watch.js";
+import { rested, signal, watch } from "../watch.js";
 import { RESULTS } from "./sweep.js";
 
 /** @typedef {Commands["force"]["answer"]} Answer */

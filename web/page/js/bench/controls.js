@@ -1,8 +1,7 @@
 // The controls of the page Muscle: its state, its measures, its ends.
 import { answerTo } from "../ask.js";
 import { choice, quantity } from "../controls.js";
-import { block, capital, el, folded } from "../dom.js";
-import { inputs } from "../form.js";
+import { block, capital, el, folded, inputs } from "../dom.js";
 import { muscle } from "../muscle.js";
 import {
   CONTRACTION,

@@ -3,10 +3,9 @@
 import { Slot } from "../ask.js";
 import { chartOf } from "../chart.js";
 import { tabs } from "../dom.js";
-import { rested } from "../life.js";
 import { muscle } from "../muscle.js";
 import { forceAxis, outside, ratioAxis, unitName } from "../units.js";
-import { signal, untracked, watch } from "../watch.js";
+import { rested, signal, untracked, watch } from "../watch.js";
 import { allowedOf, along, familyOf, familySeries, ownOf, ownSeries, permitted } from "./family.js";
 import { pointsView } from "./points.js";
 import { sweepView } from "./sweep.js";

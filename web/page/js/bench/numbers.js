@@ -138,19 +138,17 @@ function partsView(store) {
       "95 % half-widths; they add as squares.",
       words?.bench && `To measure: ${words.bench}.`,
     ].filter(Boolean);
-    const most = Math.max(...parts.map(([, value]) => value));
-    list.replaceChildren(...parts.flatMap(([name, value]) => row(name, value, most)));
+    list.replaceChildren(...parts.flatMap(([name, value]) => row(name, value, parts[0][1])));
     note.textContent = inWords(said.join(" "));
   });
   return { element };
 }
 
-/** @param {string} name @param {number} value @param {number} most */
-function row(name, value, most) {
-  const bar = el("i", { style: `width:${Math.max(1, (100 * value) / most).toFixed(1)}%` });
+/** @param {string} name @param {number} value @param {number} max */
+function row(name, value, max) {
   return [
     el("dt", PARTS[name] ?? name),
     el("dd", `± ${showForce(value, 2)}`),
-    el("dd", { class: "wide" }, bar),
+    el("dd", { class: "wide" }, el("progress", { max, value, ariaHidden: "true" })),
   ];
 }

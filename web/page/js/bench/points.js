@@ -2,12 +2,11 @@
 import { Slot } from "../ask.js";
 import { pressureColour } from "../chart.js";
 import { block, button, el, problemBox } from "../dom.js";
-import { rested } from "../life.js";
 import { muscle } from "../muscle.js";
 import { evenly, outside, showForce, showPressure } from "../units.js";
 import { MOVES } from "./family.js";
 import { measured } from "../kept.js";
-import { signal, watch } from "../watch.js";
+import { rested, signal, watch } from "../watch.js";
 
 /** Isobars of more pressures than these would cover each other. */
 const MOST = 7;

@@ -2,13 +2,12 @@
 // questions that lead to them.
 import { Slot, answerTo } from "../ask.js";
 import { keepWords } from "../kept.js";
-import { rested } from "../life.js";
 import { muscle } from "../muscle.js";
 import { PRESSURE, point as pointOf } from "../state.js";
 import { allowedOf } from "./family.js";
 import { reach } from "../view3d.js";
 import { niceUp } from "../units.js";
-import { batch, signal } from "../watch.js";
+import { batch, rested, signal } from "../watch.js";
 
 /** Keys of the address that are the page's own, with their usual words. */
 export const OWN = {

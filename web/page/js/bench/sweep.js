@@ -5,12 +5,11 @@ import { choice } from "../controls.js";
 import { block, capital, smallPrint } from "../dom.js";
 import { isAbort, problemOf } from "../engine/problem.js";
 import { fieldsOf, form } from "../form.js";
-import { renewing, rested } from "../life.js";
 import { muscle } from "../muscle.js";
 import { valueAt } from "../plot.js";
 import { CONTRACTION, MEASURES, PRESSURE, question, say } from "../state.js";
 import { clamp, evenly, inWords, outside, show, unitName } from "../units.js";
-import { signal, watch } from "../watch.js";
+import { renewing, rested, signal, watch } from "../watch.js";
 
 /** @typedef {Commands["shape"]["answer"]} Answer */
 /** @typedef {{ value: number, answer?: Answer, why?: string }} Row */

@@ -3,11 +3,10 @@
 import { answerTo } from "../ask.js";
 import { block, button, el, folded, remark } from "../dom.js";
 import { fieldsOf, form } from "../form.js";
-import { renewing, rested } from "../life.js";
 import { muscle } from "../muscle.js";
 import { CONTRACTION, PRESSURE, QUANTITIES, question, say } from "../state.js";
 import { evenly, inWords, show, showForce, unitName } from "../units.js";
-import { watch } from "../watch.js";
+import { renewing, rested, watch } from "../watch.js";
 
 /** Values that are tried between two, and how often. */
 const POINTS = 13,

@@ -5,6 +5,7 @@ import { pressureColour } from "../chart.js";
 import { columnLine, grid } from "../columns.js";
 import { TABLES, fileField } from "../controls.js";
 import {
+  bench,
   block,
   button,
   capital,
@@ -16,9 +17,11 @@ import {
   problemBox,
   remark,
   rowOf,
+  table,
+  warnings,
 } from "../dom.js";
 import { Figures } from "../figure.js";
-import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
+import { fieldsOf, form, job } from "../form.js";
 import { GALLERY, gallery, library, muscleButtons } from "../gallery.js";
 import { fileOf, keepFile, keepWords, measured } from "../kept.js";
 import { muscle } from "../muscle.js";

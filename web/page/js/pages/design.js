@@ -10,16 +10,15 @@ import {
   rejectedView,
   widthOf,
 } from "../design-view.js";
-import { block, button, dim, el, folded, mainButton, rowOf } from "../dom.js";
-import { fieldsOf, form, job, kindsOf } from "../form.js";
+import { block, button, dim, el, folded, mainButton, rowOf, tabs } from "../dom.js";
+import { fieldsOf, form, job } from "../form.js";
 import { keepWords } from "../kept.js";
-import { rested } from "../life.js";
 import { liftView } from "../lift.js";
 import { muscle } from "../muscle.js";
-import { openDialog } from "../open.js";
+import { openDialog } from "../gallery.js";
 import { STIFFNESS_NAMES, missing } from "../state.js";
 import { showPressure } from "../units.js";
-import { signal, watch } from "../watch.js";
+import { rested, signal, watch } from "../watch.js";
 
 /** @typedef {{ answer: Design["answer"], asked: Design["request"] }} Found */
 /** @type {[string, string][]} */ const OBJECTIVES = [
@@ -122,11 +121,24 @@ function specification(submit) {
     forms = [wanted, choice],
     more = folded("More requirements", choice.element);
   const hint = (/** @type {string} */ key) => WANTED.find((f) => f.key === key)?.hint ?? "";
-  const kinds = kindsOf(wanted, KINDS, (kind) => {
-    for (const key of ["at", "joint", "load"]) wanted.put(key, key === kind ? hint(key) : "");
-    wanted.put("stroke", kind === "load" ? "40 mm" : "");
-    submit();
-  });
+  const kinds = tabs(
+    "What it must do",
+    KINDS.map(([kind, text]) => [kind, text]),
+    "",
+    (kind) => {
+      select(kind);
+      for (const key of ["at", "joint", "load"]) wanted.put(key, key === kind ? hint(key) : "");
+      wanted.put("stroke", kind === "load" ? "40 mm" : "");
+      submit();
+    },
+  );
+  /** Its fields are seen. @param {string} chosen */
+  function select(chosen) {
+    kinds.set(chosen);
+    const own = KINDS.find(([kind]) => kind === chosen)?.[2];
+    for (const key of KINDS.flatMap(([, , keys]) => keys))
+      wanted.shown(key, Boolean(own?.includes(key)));
+  }
   /** What the sleeves need beside their names has a field. */
   const lacking = () => {
     const k = choice.text("k"),
@@ -152,7 +164,7 @@ function specification(submit) {
     /** @param {URLSearchParams} params */
     set(params) {
       forms.forEach((f) => f.set(params));
-      kinds.select(["at", "joint", "load"].find((key) => wanted.text(key)) ?? "F");
+      select(["at", "joint", "load"].find((key) => wanted.text(key)) ?? "F");
       more.open = Object.values(choice.texts()).some(Boolean);
       choice.options(
         "braid",

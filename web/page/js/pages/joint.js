@@ -3,8 +3,20 @@
 import { Slot } from "../ask.js";
 import { chartOf } from "../chart.js";
 import { fileField, quantity } from "../controls.js";
-import { block, button, dim, dragging, el, folded, heading, problemBox, remark } from "../dom.js";
-import { inputs, job, warnings } from "../form.js";
+import {
+  block,
+  button,
+  dim,
+  dragging,
+  el,
+  folded,
+  heading,
+  inputs,
+  problemBox,
+  remark,
+  warnings,
+} from "../dom.js";
+import { job } from "../form.js";
 import { angleAt, jointDrawing, numbersView, reachChart, torqueChart } from "../joint-view.js";
 import {
   FILES,

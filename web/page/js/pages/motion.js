@@ -2,8 +2,19 @@
 import { Slot } from "../ask.js";
 import { chartOf, KINDS } from "../chart.js";
 import { fileField } from "../controls.js";
-import { block, button, el, folded, heading, problemBox, remark } from "../dom.js";
-import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
+import {
+  bench,
+  block,
+  button,
+  el,
+  folded,
+  heading,
+  problemBox,
+  remark,
+  table,
+  warnings,
+} from "../dom.js";
+import { fieldsOf, form, job } from "../form.js";
 import { example } from "../gallery.js";
 import { JointWords } from "../joint-words.js";
 import { keepWords, wordsOf } from "../kept.js";

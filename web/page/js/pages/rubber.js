@@ -2,9 +2,19 @@
 // rubber.
 import { columnLine, grid } from "../columns.js";
 import { TABLES, fileField } from "../controls.js";
-import { block, capital, folded, heading, paragraph, remark } from "../dom.js";
+import {
+  bench,
+  block,
+  capital,
+  folded,
+  heading,
+  paragraph,
+  remark,
+  table,
+  warnings,
+} from "../dom.js";
 import { Figures } from "../figure.js";
-import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
+import { fieldsOf, form, job } from "../form.js";
 import { example, muscleButtons } from "../gallery.js";
 import { fileOf, keepFile, keepWords } from "../kept.js";
 import { muscle } from "../muscle.js";
