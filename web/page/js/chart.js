@@ -21,13 +21,8 @@ function viridisAt(share, most) {
 }
 /** Without its palest end, which a white page would swallow. @param {number} share */
 export const viridis = (share, most = 0.82) => `rgb(${viridisAt(share, most).join(",")})`;
-/** The colour of a share, to be seen on the page. @param {number} share */
+/** The colour of a share, of a pressure that of its highest one: the same in every chart. @param {number} share */
 export const shade = (share) => (isDark() ? viridis(0.3 + 0.7 * share, 1) : viridis(share));
-/**
- * The colour of a pressure: the same in every chart of a page.
- * @param {number} pressure @param {number} top
- */
-export const pressureColour = (pressure, top) => shade(pressure / top);
 /** @typedef {ReturnType<typeof chartOf>} Chart */
 /**
  * @param {string} name of its files

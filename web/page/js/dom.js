@@ -42,7 +42,6 @@ export const heading = part("h2");
 export const paragraph = part("p");
 /** What is said beside the matter. */
 export const remark = part("p", "small soft");
-export const smallPrint = part("p", "small");
 /** What is said where there is nothing yet. */
 export const faded = part("p", "soft");
 /** Buttons, fields and words in a row. */
@@ -114,7 +113,7 @@ export function problemBox(thrown) {
     "div",
     { class: "problem", role: "alert" },
     paragraph(words),
-    hint && smallPrint(capital(inWords(hint))),
+    hint && remark(capital(inWords(hint))),
   );
 }
 
@@ -134,31 +133,6 @@ export function download(name, content) {
   const link = el("a", { href: url, download: name });
   link.click();
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
-}
-
-/**
- * An element that is dragged: told where, and whether it is the end or the beginning of the
- * gesture.
- * @param {HTMLElement | SVGElement} element
- * @param {(event: PointerEvent, settled: boolean, begins: boolean) => void} act
- */
-export function dragging(element, act) {
-  let on = false;
-  for (const type of /** @type {const} */ ([
-    "pointerdown",
-    "pointermove",
-    "pointerup",
-    "pointercancel",
-  ])) {
-    element.addEventListener(type, (/** @type {any} */ event) => {
-      if (type === "pointerdown") {
-        on = true;
-        element.setPointerCapture(event.pointerId);
-      }
-      if (on && type !== "pointercancel") act(event, type === "pointerup", type === "pointerdown");
-      on &&= type === "pointerdown" || type === "pointermove";
-    });
-  }
 }
 
 /**

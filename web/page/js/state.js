@@ -34,12 +34,11 @@ const STRAND_DIAMETER = {
 /** Measures of the muscle, as the program lists them. */
 /** @type {Measure[]} */ export let MEASURES = [];
 /**
- * The usual ones; of the strands of a named sleeve, where its source does not state them; what the
- * ends of the muscle do; all others.
+ * The usual ones; of the strands of a named sleeve, where its source does not state them; all
+ * others.
  */
 export let QUANTITIES = MEASURES,
   STRANDS = MEASURES,
-  ENDS = MEASURES,
   MORE = MEASURES;
 export let STIFFNESS = STRAND_DIAMETER;
 
@@ -69,9 +68,8 @@ export function takeMeasures({ measures }) {
     keys.flatMap((key) => MEASURES.filter((m) => m.key === key));
   QUANTITIES = of(["D", "s", "L", "angle"]);
   STRANDS = of(["sd", "sE"]);
-  ENDS = of(["seating", "slip", "grip"]);
   [STIFFNESS] = of(["k"]);
-  MORE = MEASURES.filter((m) => ![...QUANTITIES, ...ENDS, STIFFNESS].includes(m));
+  MORE = MEASURES.filter((m) => ![...QUANTITIES, STIFFNESS].includes(m));
 }
 export const PRESSURE = /** @type {const} @satisfies {Measure} */ ({
   key: "p",

@@ -464,14 +464,12 @@ export function viewOf(stage, { contract, drawn } = {}) {
   }
 
   /**
-   * Where a point of the muscle is seen, in pixels of the stage: along its axis from its middle,
-   * up, and to the front.
-   * @param {number} x @param {number} y @param {number} z
+   * Where a point of the axis is seen, in pixels of the stage. @param {number} x from its middle
    */
-  function project(x, y, z) {
+  function project(x) {
     const m = matrix;
     if (!m[15]) return [0, 0];
-    const at = (/** @type {number} */ r) => m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r];
+    const at = (/** @type {number} */ r) => m[r] * x + m[12 + r];
     return [0.5 * (1 + at(0)) * width, 0.5 * (1 - at(1)) * height];
   }
 

@@ -1,11 +1,10 @@
-// The controls of the page Muscle: its state, its measures, its ends.
+// The controls of the page Muscle: its state and its measures.
 import { answerTo } from "../ask.js";
 import { choice, quantity } from "../controls.js";
 import { block, capital, el, folded, inputs } from "../dom.js";
 import { muscle } from "../muscle.js";
 import {
   CONTRACTION,
-  ENDS,
   LOAD,
   MORE,
   PRESSURE,
@@ -48,7 +47,7 @@ export function controlsView(store) {
       said[key] !== undefined ||
       muscle.wrong.has(key) ||
       (file && key !== "density_kg_per_m3" && muscle.value(key) !== undefined);
-    [...ENDS, ...MORE].filter(({ key }) => stated(key)).forEach(({ key }) => reveal(key));
+    MORE.filter(({ key }) => stated(key)).forEach(({ key }) => reveal(key));
   }
   watch(() => {
     sync(controls, picks);
@@ -117,7 +116,6 @@ function section(make, { rubber, braid, strands, held, branch }) {
     "Muscle",
     el("fieldset", { class: "state" }, el("legend", "State"), ...state),
     el("fieldset", el("legend", "Tube and braid"), ...tube),
-    folded("Ends", ...ENDS.map(make)),
     moreMeasures(make),
   );
 }

@@ -1,6 +1,6 @@
 // Measured points over the isobars, with their residuals against the muscle as it is now.
 import { Slot } from "../ask.js";
-import { pressureColour } from "../chart.js";
+import { shade } from "../chart.js";
 import { block, button, el, problemBox } from "../dom.js";
 import { muscle } from "../muscle.js";
 import { evenly, outside, showForce, showPressure } from "../units.js";
@@ -87,7 +87,7 @@ export function pointSeries(list, top) {
         legend: first ? "" : `measured${way}`,
         mode: "markers",
         glyph,
-        colour: pressureColour(p, top),
+        colour: shade(p / top),
         x: at.map((q) => 100 * q.contraction),
         y: at.map((q) => outside("force", q.force_n)),
       };

@@ -2,7 +2,7 @@
 import { answerTo } from "../ask.js";
 import { KINDS, withBuilt } from "../chart.js";
 import { choice } from "../controls.js";
-import { block, capital, smallPrint } from "../dom.js";
+import { block, capital, remark } from "../dom.js";
 import { isAbort, problemOf } from "../engine/problem.js";
 import { fieldsOf, form } from "../form.js";
 import { muscle } from "../muscle.js";
@@ -150,7 +150,7 @@ export function sweepView(store, chart) {
       [one] = failed;
     said.replaceChildren(
       one
-        ? smallPrint(
+        ? remark(
             `${failed.length} of ${list.length} values have no answer, such as ` +
               `${show(kind, one.value)}: ${inWords(one.why ?? "")}`,
           )

@@ -1,7 +1,7 @@
 // Measured points: seen over the models, and constants identified from them.
 import { Slot } from "../ask.js";
 import { pointSeries } from "../bench/points.js";
-import { pressureColour } from "../chart.js";
+import { shade } from "../chart.js";
 import { columnLine, grid } from "../columns.js";
 import { TABLES, fileField } from "../controls.js";
 import {
@@ -188,9 +188,7 @@ export const mount = (main) => {
     const list = points.filter((q) => q.measured === "force"),
       top = Math.max(...list.map((q) => q.pressure_mpa)),
       lines = spec.series.filter((s) => s.mode !== "markers"),
-      colours = new Map(
-        list.map(({ pressure_mpa: p }) => [showPressure(p, 3), pressureColour(p, top)]),
-      );
+      colours = new Map(list.map(({ pressure_mpa: p }) => [showPressure(p, 3), shade(p / top)]));
     // The lines that are named have it too, and their bands.
     const named = lines.flatMap(({ end }) => (end ? colours.get(end) : [])),
       ofBands = [...named];

@@ -7,7 +7,6 @@ import {
   block,
   button,
   dim,
-  dragging,
   el,
   folded,
   heading,
@@ -180,7 +179,22 @@ export const mount = (main) => {
     /** @type {Signal<JointAnswer["map"]>} */ reached = signal();
   /** The file that says what the muscle of the page Muscle is. */
   let first = "";
-  const arm = el("div", { class: "stage", role: "img", ariaLabel: "The joint" }),
+  /** The arm follows the pointer that holds it. @param {PointerEvent} event */
+  function follow(event) {
+    const angle = arm.hasPointerCapture(event.pointerId) ? angleAt(arm, event) : undefined;
+    if (angle !== undefined) turned(angle, event.type === "pointerup");
+  }
+  const arm = el("div", {
+      class: "stage",
+      role: "img",
+      ariaLabel: "The joint",
+      onpointermove: follow,
+      onpointerup: follow,
+      onpointerdown(/** @type {PointerEvent} */ event) {
+        arm.setPointerCapture(event.pointerId);
+        follow(event);
+      },
+    }),
     numbers = el("section", { class: "numbers", ariaLabel: "Numbers" }),
     said = block(),
     notes = block();
@@ -245,10 +259,6 @@ export const mount = (main) => {
       block("side", said, numbers, notes),
     ),
   );
-  dragging(arm, (event, settled) => {
-    const angle = angleAt(arm, event);
-    if (angle !== undefined) turned(angle, settled);
-  });
 
   /** @param {number} angle @param {boolean} settled */
   function turned(angle, settled) {

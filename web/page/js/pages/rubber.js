@@ -144,11 +144,7 @@ export const mount = (main) => {
         answer.laws.map((law) => row(law, answer)),
         { text: [0, 1, 5], label: "laws of the rubber" },
       ),
-      warnings(
-        [...answer.warnings.map((w) => w.message), ...answer.failed].map((text) =>
-          text.replace(/\b(mu|alpha)\d\b/g, sign),
-        ),
-      ),
+      warnings([...answer.warnings, ...answer.failed]),
       file
         ? muscleButtons(
             file,
