@@ -42,7 +42,7 @@ export function chanceCurve() {
     /** @param {Choice[]} list */
     show(list) {
       const all = list
-        .filter((one) => one.chance != null)
+        .filter(({ kind, chance }) => /take|chance/.test(kind) && chance != null)
         .sort((a, b) => Number(a.chance) - Number(b.chance));
       chart.element.hidden = all.length < 2;
       const x = all.map(({ chance }) => 100 * Number(chance)),

@@ -258,6 +258,11 @@ export function quantity(spec) {
 export function choice(label, options, change) {
   const select = el("select", { onchange: () => change(select.value) }, ...optionsOf(options));
   const element = el("label", { class: "choice" }, el("span", label), select);
+  /** The usual one stands once. */
+  const once = () => {
+    const [usual, ...others] = select.options;
+    for (const one of others) one.hidden = one.text === usual.text;
+  };
   return {
     element,
     /** @param {string} v */
@@ -268,10 +273,12 @@ export function choice(label, options, change) {
     /** The name of the first one, which is the usual. @param {string} text */
     first(text) {
       select.options[0].textContent = text;
+      once();
     },
     /** More to choose from. @param {string[]} names */
     options(names) {
       addOptions(select, names);
+      once();
     },
   };
 }

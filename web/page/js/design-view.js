@@ -47,7 +47,7 @@ const chance = (/** @type {Candidate} */ c) => (c.chance == null ? "–" : inTen
  */
 function columns(all, prices) {
   const price = (/** @type {Candidate} */ { tube, sleeve }) =>
-    [tube, sleeve].flatMap((name) => prices.get(name ?? "") ?? []).join(" + ");
+    [tube, sleeve].flatMap((name) => prices.get(name ?? "") || []).join(" + ");
   /** @type {Column[]} */ const list = [
     ["tube", (c) => c.tube],
     ["sleeve", (c) => c.sleeve],
@@ -77,11 +77,11 @@ function columns(all, prices) {
 
 /**
  * A candidate as its own file: branch and required pulls are in it. A joint has the question of it.
- * @param {Design["answer"]} answer @param {Design["request"]} asked
+ * @param {Design["answer"]} answer @param {Design["request"] | undefined} asked
  */
 export function openCandidate({ candidates, muscle_files = [], max_pressure_mpa }, asked, i = 0) {
   const { pressure_mpa: p, points, joint, highest_pressure_mpa } = candidates[i],
-    [turn] = asked.torques ?? [];
+    [turn] = asked?.torques ?? [];
   muscle.state = { ...prototype(), file: muscle_files[i].text, p, e: points[0].contraction };
   muscle.called = "";
   if (!joint) return visit("muscle", {});
@@ -172,7 +172,8 @@ function points(best) {
 
 /**
  * All that was found.
- * @param {Design["answer"]} answer @param {Design["request"]} asked @param {Prices} prices
+ * @param {Design["answer"]} answer @param {Design["request"] | undefined} asked
+ * @param {Prices} prices
  */
 export function foundView(answer, asked, prices) {
   const { candidates } = answer,

@@ -1,6 +1,6 @@
 // Elements in one call, and what every page needs of the document.
 import { problemOf } from "./engine/problem.js";
-import { inWords } from "./units.js";
+import { inWords, partName } from "./units.js";
 
 /** What may stand in an element. @typedef {Node | string | null | undefined | false} Child */
 /**
@@ -85,7 +85,9 @@ export const mainButton = (text, act) => button(text, act, { class: "main" });
 export function addOptions(select, names) {
   const there = new Set([...select.options].map((o) => o.value));
   select.append(
-    ...names.filter((value) => !there.has(value)).map((value) => el("option", { value }, value)),
+    ...names
+      .filter((value) => !there.has(value))
+      .map((value) => el("option", { value }, partName(value))),
   );
 }
 

@@ -59,6 +59,7 @@ function spec(panel, figure) {
     /** @type {Record<string, Series["dash"]>} */ const dashes = {
       dashed: "dash",
       dotted: "dot",
+      "dash-dot": "dash",
       auto,
     };
     return {

@@ -17,23 +17,20 @@ function withoutNetwork() {
   const keep = button("Make all places available offline", async () => {
     keep.disabled = true;
     text.textContent = "Fetching …";
-    const wrong = await keepAll().then(
-      () => "",
-      (problem) => `That failed: ${problem.message}`,
-    );
-    await say();
-    if (wrong) text.textContent = wrong;
+    await keepAll().then(say, (problem) => {
+      text.textContent = `That failed: ${problem.message}`;
+    });
     keep.disabled = false;
   });
   const element = el("div", { hidden: true }, heading("Without a network"), rowOf(text, keep));
   const say = async () => {
     const all = await isKept();
-    keep.hidden = all;
+    keep.hidden = Boolean(all);
     text.textContent = all ? "Every place works." : "The muscle works; the other places need more.";
-    element.hidden = false;
+    // Where the browser keeps nothing there is nothing to say.
+    element.hidden = all === undefined;
   };
-  // Where the browser keeps nothing there is nothing to say.
-  say().catch(() => {});
+  say();
   return element;
 }
 

@@ -93,6 +93,7 @@ export function liftView() {
       if (one === next) return;
       one = next;
       shown = NaN;
+      play.button.hidden = !one;
       if (!one) return box.replaceChildren();
       draw(1);
       if (!still) play.start();

@@ -32,9 +32,8 @@ const canKeep = () =>
   "caches" in window;
 /** Whether every page is kept; there is no answer where the browser keeps nothing. */
 export async function isKept() {
-  if (!canKeep() || !(await navigator.serviceWorker.getRegistration()))
-    throw new Error("This browser keeps no files.");
-  return !(await lacking()).length;
+  if (canKeep() && (await navigator.serviceWorker.getRegistration()))
+    return !(await lacking()).length;
 }
 
 /** Fetches and keeps what is not there yet. */

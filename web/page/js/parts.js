@@ -125,8 +125,7 @@ async function putInto(said) {
 
 /** The list that is shown, as it was left. */
 /** @type {Kind} */ let shown = "tubes";
-/** @type {Promise<Parts> | undefined} */ let asked;
-/** All parts, once. */
+/** All parts. */
 async function allParts() {
   const ask = (/** @type {Kind} */ kind) => answerTo("parts-list", { kind }),
     [tubes, { sleeves }, { rubbers }] = await Promise.all(LISTED.map(ask));
@@ -150,7 +149,6 @@ export function partsDialog() {
   const list = block("parts-list"),
     count = el("p", { class: "small soft", role: "status" }),
     filter = el("label", { for: "parts-find" }, "Filter");
-  const fail = (/** @type {unknown} */ problem) => list.replaceChildren(problemBox(problem));
   /** @type {Parts | undefined} */ let parts;
 
   const matches = (/** @type {Row} */ row) =>
@@ -187,15 +185,11 @@ export function partsDialog() {
 
   const line = block("parts-filter", kind.element, block("choice", filter, find), fitting);
   dialog("Parts", () => [line, count, list]);
-  asked ??= allParts();
-  asked.then(
+  allParts().then(
     (found) => {
       parts = found;
       paint();
     },
-    (problem) => {
-      asked = undefined;
-      fail(problem);
-    },
+    (problem) => list.replaceChildren(problemBox(problem)),
   );
 }

@@ -20,15 +20,14 @@ import { watch } from "../watch.js";
 export function controlsView(store) {
   /** @type {Record<string, ReturnType<typeof quantity>>} */ const controls = {};
   const make = (/** @type {Measure} */ spec) => {
-    const change = (/** @type {number | undefined} */ value, /** @type {boolean} */ settled) =>
-      store.changed(spec.key, value, settled);
-    controls[spec.key] = quantity({
+    const { key, group } = spec;
+    controls[key] = quantity({
       ...spec,
-      value: muscle.value(spec.key),
-      clears: Boolean(spec.group),
-      change,
+      value: muscle.value(key),
+      clears: Boolean(group),
+      change: (value, settled) => store.changed(key, value, settled),
     });
-    return controls[spec.key].element;
+    return controls[key].element;
   };
   const picks = choices(store);
   const element = section(make, picks);
@@ -191,7 +190,7 @@ function sync(controls, { rubber, braid, strands, held, branch }) {
   if (said.braid === undefined) braid.first(shown?.sleeve ?? "Custom angle");
   if (said.k === undefined)
     strands.first(
-      said.braid
+      (said.braid ?? shown?.sleeve)
         ? "of the sleeve"
         : ofStrands
           ? "of its strands"

@@ -20,7 +20,6 @@ import { solveView, tornadoView } from "./what-if.js";
 
 /** @param {Store} store */
 export function numbersView(store) {
-  const element = el("section", { class: "numbers", ariaLabel: "Numbers" });
   const notes = el("ul", { class: "warnings" });
   const parts = partsView(store),
     tornado = tornadoView(store),
@@ -39,25 +38,26 @@ export function numbersView(store) {
     "As built: median and 95 % of muscles like this one. Model: finite elements (fe), mean of both " +
       "ways. Take-up: the way that the sleeve gives before it bears.",
   );
+  const element = el(
+    "section",
+    { class: "numbers", ariaLabel: "Numbers", hidden: true },
+    el("dl", el("dt", "Pull as built"), el("dd", { class: "head" }, built)),
+    parts.element,
+    list,
+    notes,
+    solve.element,
+    tornado.element,
+    remarks,
+  );
   watch(() => {
     const point = store.point.value;
     if (!point) return;
+    element.hidden = false;
     built.textContent = asBuilt(point);
     list.replaceChildren(
       ...termsOf(rows(store.facts.value, point).filter(([, text]) => text !== "–")),
     );
     notes.replaceChildren(...warned(point).map((w) => el("li", w)));
-    if (element.hasChildNodes()) return;
-    const head = [el("dt", "Pull as built"), el("dd", { class: "head" }, built)];
-    element.append(
-      el("dl", ...head),
-      parts.element,
-      list,
-      notes,
-      solve.element,
-      tornado.element,
-      remarks,
-    );
   });
   return { element };
 }

@@ -6,8 +6,10 @@ import {
   asBuilt,
   clamp,
   evenly,
+  inside,
   modelPull,
   niceUp,
+  outside,
   show,
   showLength,
   showPressure,
@@ -38,7 +40,7 @@ export function stageView(store, busy) {
   /** As long as it says at every zoom. */
   const paintScale = () => {
     const perPixel = view.millimetresPerPixel,
-      step = niceUp(48 * perPixel);
+      step = inside("length", niceUp(outside("length", 48 * perPixel)));
     const line = el("span", {
       style: `display:block;border:1px solid currentColor;border-top:0;height:5px;width:${step / perPixel}px`,
     });

@@ -20,7 +20,6 @@ import { STIFFNESS_NAMES, missing } from "../state.js";
 import { showPressure } from "../units.js";
 import { rested, signal, watch } from "../watch.js";
 
-/** @typedef {{ answer: Design["answer"], asked: Design["request"] }} Found */
 /** @type {[string, string][]} */ const OBJECTIVES = [
   ["bulged-diameter", "recommended: slim, sold"],
   ["diameter", "slimmest at rest"],
@@ -192,20 +191,13 @@ function specification(submit) {
   };
 }
 
-/** Prices of tubes; asked once. @type {Promise<Map<string, string>> | undefined} */ let prices;
-const priced = () =>
-  (prices ??= answerTo("parts-list", { kind: "tubes" }).then(
-    ({ tubes }) => new Map(tubes.flatMap(({ name, price }) => (price ? [[name, price]] : []))),
-    () => new Map(),
-  ));
-
 /** What to set, and how wide it gets. @param {Candidate} c */
 const inUse = (c) => `${showPressure(c.pressure_mpa, 3)}, ${widthOf(c)} wide`;
 
 /** @type {Mount} */
 export const mount = (main) => {
-  /** @type {Signal<Found | undefined>} */ const first = signal(),
-    /** @type {Signal<Found | undefined>} */ all = signal(),
+  /** @type {Signal<Design["answer"] | undefined>} */ const first = signal(),
+    /** @type {Signal<Design["answer"] | undefined>} */ all = signal(),
     /** @type {Signal<Map<string, string>>} */ known = signal(new Map());
   /** The question of the answer that comes. */
   /** @type {Signal<Design["request"] | undefined>} */ const question = signal();
@@ -227,7 +219,7 @@ export const mount = (main) => {
       return asked && { ...asked, top: 1 };
     },
     (answer) => {
-      first.value = { answer, asked: question.value ?? {} };
+      first.value = answer;
       if (answer.candidates.length) whole.run();
     },
     {
@@ -244,48 +236,51 @@ export const mount = (main) => {
     "design",
     async () => question.value,
     (answer) => {
-      all.value = { answer, asked: question.value ?? {} };
-      priced().then((map) => (known.value = map));
+      all.value = answer;
+      answerTo("parts-list", { kind: "tubes" }).then(
+        ({ tubes }) => (known.value = new Map(tubes.map(({ name, price }) => [name, price ?? ""]))),
+        () => {},
+      );
     },
     { minor: true },
   );
   const curve = chanceCurve();
 
   watch(() => {
-    const found = first.value,
-      best = found?.answer.candidates[0];
+    const answer = first.value,
+      best = answer?.candidates[0];
     // Until the answer comes no number of another muscle stands beside the question.
-    for (const part of [head, result, lift.element]) part.classList.toggle("skeleton", !found);
+    for (const part of [head, result, lift.element])
+      part.classList.toggle("skeleton", !answer && Boolean(question.value));
     act.hidden = !best;
     lift.show(best);
-    if (!found) {
+    if (!answer) {
       head.textContent = question.value ? "Searching …" : "";
       return result.replaceChildren();
     }
-    const { answer, asked: of } = found;
     if (!best) {
       head.textContent = "";
       return result.replaceChildren(...closestView(answer), rejectedView(answer));
     }
     const said = verdict(best.chance);
     head.textContent = `${said ? `${said}: set` : "Set"} ${inUse(best)}.`;
-    act.replaceChildren(mainButton("Open this muscle", () => openCandidate(answer, of)));
+    act.replaceChildren(
+      mainButton("Open this muscle", () => openCandidate(answer, question.value)),
+    );
     result.replaceChildren(...headView(answer));
   });
   watch(() => {
-    const { choices = [] } = first.value?.answer ?? {};
+    const { choices = [] } = first.value ?? {};
     others.replaceChildren(choicesView(choices, spec.ensure), curve.element);
     curve.show(choices);
   });
   watch(() => {
-    const found = all.value;
+    const answer = all.value;
     list.replaceChildren(
-      ...(found
-        ? [...foundView(found.answer, found.asked, known.value), rejectedView(found.answer)]
-        : []),
+      ...(answer ? [...foundView(answer, question.value, known.value), rejectedView(answer)] : []),
     );
-    dim([list], !found);
-    whole.element.hidden = !first.value?.answer.candidates.length;
+    dim([list], !answer);
+    whole.element.hidden = !first.value?.candidates.length;
   });
 
   /** A page that brings its engine loads that of the search when it is asked for. */
@@ -301,7 +296,6 @@ export const mount = (main) => {
   main.replaceChildren(
     block(
       "start",
-      lift.element,
       block(
         "question",
         el(
@@ -314,6 +308,7 @@ export const mount = (main) => {
         result,
         button("Open a muscle", openDialog, { class: "bare" }),
       ),
+      lift.element,
     ),
     others,
     whole.element,
