@@ -10,8 +10,6 @@ const WORDS = [
   [0.4, "Even"],
   [0.1, "Unlikely"],
 ];
-/** Certainties that are searched for besides the one that is asked. */
-const CERTAINTIES = [0.99, 0.9, 0.5];
 /** Shares are not rounded up; what the engine means by 0.9 is no less. */
 const SPARE = 1e-6;
 
@@ -30,9 +28,9 @@ export function verdict(chance) {
 }
 
 /** @typedef {NonNullable<Design["answer"]["choices"]>[number]} Choice */
-/** The certainty that leads to a choice. @param {Choice} choice */
+/** The certainty that led to a choice: the engine looks for these. @param {Choice} choice */
 export const certaintyOf = ({ chance }) =>
-  CERTAINTIES.find((one) => Number(chance) + SPARE >= one) ?? CERTAINTIES[2];
+  [0.99, 0.9].find((one) => Number(chance) + SPARE >= one) ?? 0.5;
 
 /** Widths over their chances. */
 export function chanceCurve() {

@@ -9,6 +9,7 @@ import {
   el,
   folded,
   heading,
+  notice,
   paragraph,
   table,
   warnings,
@@ -76,14 +77,16 @@ function columns(all, prices) {
 }
 
 /**
- * A candidate as its own file: branch and required pulls are in it. A joint has the question of it.
+ * A candidate as its own file: branch and required pulls are in it. A joint has the question of it,
+ * of several side by side the share of one.
  * @param {Design["answer"]} answer @param {Design["request"] | undefined} asked
  */
 export function openCandidate({ candidates, muscle_files = [], max_pressure_mpa }, asked, i = 0) {
-  const { pressure_mpa: p, points, joint, highest_pressure_mpa } = candidates[i],
+  const { pressure_mpa: p, points, joint, count, highest_pressure_mpa } = candidates[i],
     [turn] = asked?.torques ?? [];
   muscle.state = { ...prototype(), file: muscle_files[i].text, p, e: points[0].contraction };
   muscle.called = "";
+  if (count > 1) notice(`This is one of ${count} side by side, with its share of what was asked.`);
   if (!joint) return visit("muscle", {});
   visit("joint", {
     r: `${joint.radius_mm}mm`,
@@ -92,7 +95,7 @@ export function openCandidate({ candidates, muscle_files = [], max_pressure_mpa 
     high: `${joint.largest_angle_deg}deg`,
     pmax: `${highest_pressure_mpa ?? max_pressure_mpa}MPa`,
     phi: turn && `${turn.angle_deg}deg`,
-    M: turn && `${turn.torque_nm}Nm`,
+    M: turn && `${turn.torque_nm / count}Nm`,
     K: "0Nm/rad",
   });
 }

@@ -162,13 +162,7 @@ const wanted = (v, list) => ({
 });
 
 /** Shares of the supply in both muscles along the curves. */
-const PAIRS = [
-  [1, 0],
-  [0.75, 0.25],
-  [0.5, 0.5],
-  [0.25, 0.75],
-  [0, 1],
-];
+const PAIRS = evenly(1, 0, 5).map((share) => [share, 1 - share]);
 
 /** @type {Mount} */
 export const mount = (main) => {
