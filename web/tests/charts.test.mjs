@@ -162,7 +162,7 @@ inBrowser(({ name, open, blank, url }) => {
     await soon(async () => {
       const text = (await parts.innerText()).replaceAll("\u00a0", " ");
       for (const sentence of [words.built, words.bench])
-        assert.ok(text.includes(sentence.replaceAll("\u00a0", " ")), text);
+        assert.ok(text.includes(sentence.replaceAll("\u00a0", " ").replaceAll("`", "")), text);
     });
     await soon(async () => {
       const shown = (await parts.locator("dd:not(.wide)").allInnerTexts()).map((text) =>

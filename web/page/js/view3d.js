@@ -81,7 +81,7 @@ function fill(gl, texture, width, height, texels) {
 }
 
 /** A texture whose texels are read as they are. @param {WebGL2RenderingContext} gl */
-function table(gl) {
+function lookup(gl) {
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
   for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
@@ -235,8 +235,8 @@ export function viewOf(stage, { contract, drawn } = {}) {
     if (!gl) return;
     painter = program(gl, SURFACE);
     places = {};
-    texture = table(gl);
-    plugTexture = table(gl);
+    texture = lookup(gl);
+    plugTexture = lookup(gl);
     gl.enable(gl.DEPTH_TEST);
     pieces = new Map();
   }
