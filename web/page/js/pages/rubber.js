@@ -2,17 +2,7 @@
 // rubber.
 import { columnLine, grid } from "../columns.js";
 import { TABLES, fileField } from "../controls.js";
-import {
-  bench,
-  block,
-  capital,
-  folded,
-  heading,
-  paragraph,
-  remark,
-  table,
-  warnings,
-} from "../dom.js";
+import { bench, block, folded, heading, paragraph, remark, table, warnings } from "../dom.js";
 import { Figures } from "../figure.js";
 import { fieldsOf, form, job } from "../form.js";
 import { example, muscleButtons } from "../gallery.js";
@@ -47,17 +37,13 @@ const EXAMPLE = "treloar.csv";
 /** A constant as the engine reads it: `gauge length 25 mm`. @param {string} text */
 const keyed = (text) => text.replace(/\s+(?=[\d.])/, "=").replace(/^(\w+) (?=\w+=)/, "$1_");
 
-/** The sign of a constant: `μ1`, `C10`. @param {string} name */
-const sign = (name) =>
-  capital(name).replace(/^Mu/, "μ").replace("Alpha", "α").replace("Lambda_m", "λm");
-
 /** A law in a row. @param {Law} law @param {Answer} answer */
 function row(law, answer) {
   const best = law.stable && law.name === answer.recommended;
   const constant = (/** @type {Law["parameters"][number]} */ p) => {
     const half = p.standard_error ? ` ± ${number(1.96 * p.standard_error, 2)}` : "",
       what = best ? `${p.meaning.split(":")[0]} ` : "";
-    return `${what}${sign(p.name)} ${number(p.value, 4)}${half} ${p.unit}`.trim();
+    return `${what}${p.name} ${number(p.value, 4)}${half} ${p.unit}`.trim();
   };
   const fitted = law.constrained ? "kept stable" : law.stable ? "" : "unstable in a muscle";
   return [
