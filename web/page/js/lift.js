@@ -42,7 +42,7 @@ function drawn(c, share) {
     svg("rect", { class: kind, x: -half, y, width: 2 * half, height: half });
   const round = (/** @type {string} */ kind, /** @type {number} */ r) =>
     svg("circle", { class: kind, cx: x + COIN / 2, cy: y + COIN / 2, r });
-  const box = [-wide - 8 * font, -font, 2 * wide + 16 * font + COIN, tall + 2 * font];
+  const box = [-wide - 8 * font, -font, 2 * wide + 18 * font + COIN, tall + 2 * font];
   return svg(
     "svg",
     {
@@ -90,10 +90,10 @@ export function liftView() {
     element: block("stand", box, play.button),
     /** @param {Candidate | undefined} next nothing leaves its place empty */
     show(next) {
+      play.button.hidden = !next;
       if (one === next) return;
       one = next;
       shown = NaN;
-      play.button.hidden = !one;
       if (!one) return box.replaceChildren();
       draw(1);
       if (!still) play.start();

@@ -52,7 +52,8 @@ export function curvesView(store, beside) {
     const { request, top } = familyOf(store, points.pressures()),
       of = { test: /** @type {"isobaric"} */ (test), muscle: muscle.fields() };
     due = Infinity;
-    const both = typeof muscle.shown?.friction_coefficient === "number" || undefined;
+    const both = typeof muscle.shown?.friction_coefficient === "number" || undefined,
+      through = { ...of, ...ownOf(store, top), both };
     // Both are drawn at once.
     slots.family.ask("curve", { ...of, ...request }, (family) => {
       const done = (/** @type {CurveAnswer | undefined} */ own) => {
@@ -62,7 +63,7 @@ export function curvesView(store, beside) {
         due = now + 7 * (now - began);
       };
       if (mine !== turn) return done(curves.peek()?.own);
-      slots.own.ask("curve", { ...of, ...ownOf(store, top), both }, done, () => done(undefined));
+      slots.own.ask("curve", through, done, () => done(undefined));
     });
   }
 
