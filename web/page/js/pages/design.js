@@ -212,8 +212,9 @@ export const mount = (main) => {
     "Find a muscle",
     "design",
     async () => {
-      const asked = await spec.read();
+      // At once: a text that is read late takes no answer of a later one away.
       first.value = all.value = undefined;
+      const asked = await spec.read();
       question.value = asked;
       if (asked) keepWords("design", spec.texts());
       return asked && { ...asked, top: 1 };
