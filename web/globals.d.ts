@@ -4,6 +4,7 @@ import type { Commands as All } from "./types/commands";
 declare global {
   type Commands = All;
   type Problem = import("./page/js/engine/problem.js").Problem;
+  type Signal<T> = import("./page/js/vendor/signals.js").Signal<T>;
   type Store = import("./page/js/bench/store.js").Store;
   type View = ReturnType<typeof import("./page/js/view3d.js").viewOf>;
 

@@ -162,7 +162,7 @@ inBrowser(({ name, open, blank, url }) => {
     await soon(async () => {
       const text = (await parts.innerText()).replaceAll("\u00a0", " ");
       for (const sentence of [words.built, words.bench])
-        assert.ok(text.includes(sentence.replaceAll("\u00a0", " ")), text);
+        assert.ok(text.includes(sentence.replaceAll("\u00a0", " ").replaceAll("`", "")), text);
     });
     await soon(async () => {
       const shown = (await parts.locator("dd:not(.wide)").allInnerTexts()).map((text) =>
@@ -172,7 +172,7 @@ inBrowser(({ name, open, blank, url }) => {
       assert.ok(Math.abs(Math.hypot(...shown) / total - 1) < 0.02, `${shown} for ${total}`);
     });
     // They have the names of the command line, in its order.
-    const named = [...words.text.split(": ")[1].matchAll(/([a-z -]+) [\d.]+/g)];
+    const named = [...words.text.split(": ")[1].matchAll(/([a-z() -]+) [\d.]+/g)];
     assert.deepEqual(
       (await parts.locator("dt").allInnerTexts()).slice(0, named.length),
       named.map(([, name]) => name.trim()),

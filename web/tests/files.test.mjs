@@ -357,7 +357,9 @@ inBrowser(({ name, url, open, blank }) => {
       .waitFor({ timeout: 120_000 });
     const row = page.getByRole("row", { name: said.recommended }).first();
     for (const { name: constant, value } of said.parameters)
-      await row.filter({ hasText: `${constant} ${Number(value.toPrecision(4))}` }).waitFor();
+      await row
+        .filter({ hasText: `${constant} ${Number(value.toPrecision(4))}`.replace("-", "−") })
+        .waitFor();
     await page.getByRole("button", { name: "Put the rubber into the muscle" }).click();
     await page.locator("main[data-shown=muscle]").waitFor();
     await page.waitForFunction((old) => {

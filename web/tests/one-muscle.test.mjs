@@ -199,7 +199,6 @@ inBrowser(({ name, url, open, blank }) => {
           { timeout: 20_000 },
         );
     await soon(async () => assert.equal(await box.getAttribute("open"), null));
-    await page.getByText("Ends", { exact: true }).first().click();
     await page.getByText("More properties", { exact: true }).click();
     await page.screenshot({ path: `${shots}/more-${name}.png`, fullPage: true });
     const { measures } = await page.evaluate(async () =>

@@ -742,6 +742,7 @@ inBrowser(({ name, url, open, blank }) => {
         answer.choices = [0.5, 0.9, 0.99].map((one, i) => ({
           ...answer.choices[0],
           ...known,
+          kind: "chance",
           name: ["even chance", "9 in 10", "99 in 100"][i],
           chance: one,
           width_mm: 41 + 5 * i,
@@ -766,14 +767,15 @@ inBrowser(({ name, url, open, blank }) => {
         await head.filter({ hasText: word }).waitFor({ timeout: 60_000 });
         assert.equal(/^Yes/.test(await head.innerText()), value >= 0.9);
       }
-      // The three alternatives stand in a table and on a curve; one is picked.
+      // The three alternatives stand in a table and on a curve; one is asked for by its certainty.
       const table = page.getByRole("region", { name: /^One muscle, and what/ });
       await table.getByText("99 in 100").first().waitFor();
       await table.getByText("(1.5 bar to 2.2 bar)").first().waitFor();
       await page.locator("[aria-label=chance] svg.curves").waitFor();
-      await table.locator("tr.pick").nth(1).click();
+      await table.getByRole("button", { name: "9 in 10", exact: true }).click();
       await head.filter({ hasText: "Yes (9 in 10): set" }).waitFor({ timeout: 60_000 });
       assert.equal(asked.at(-1).certainty, 0.9);
+      await page.waitForFunction(() => location.hash.includes("sure=90"));
       assert.deepEqual(errors, []);
       await context.close();
     });
@@ -812,13 +814,13 @@ inBrowser(({ name, url, open, blank }) => {
         [],
       );
     }
-    // A muscle of a joint opens as that joint, at the angle and with the torque that were asked.
+    // A muscle of a joint opens as that joint, at the angle and with its share of the torque that were asked, which it holds.
     await page.getByRole("button", { name: "Open this muscle" }).click();
     await there(page, "joint");
     for (const [label, value] of [
       ["Radius of the pulley", String(turns.joint.radius_mm)],
       ["Angle φ", "45"],
-      ["Torque that it holds τ", "8"],
+      ["Torque that it holds τ", String(8 / turns.count)],
     ])
       await soon(async () =>
         assert.equal(await page.getByRole("textbox", { name: label }).inputValue(), value, label),
@@ -826,6 +828,9 @@ inBrowser(({ name, url, open, blank }) => {
     await page
       .locator("[aria-label='joint torque'] circle title", { hasText: "asked" })
       .waitFor({ state: "attached", timeout: 30_000 });
+    await page.locator(".numbers dl").waitFor({ timeout: 30_000 });
+    assert.equal(await page.locator(".problem").count(), 0);
+    if (turns.count > 1) await reads(page, "#notice", `one of ${turns.count} side by side`);
     assert.deepEqual(errors, []);
     await context.close();
   });

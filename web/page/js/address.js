@@ -12,7 +12,7 @@ export function read() {
   known.hash = location.hash;
   const [, page, query] = /^#?([^?]*)\??(.*)$/.exec(known.hash) ?? [],
     params = new URLSearchParams(query),
-    lost = /** @type {string[]} */ ([]);
+    /** @type {string[]} */ lost = [];
   for (const [key, word] of [...params]) {
     try {
       params.set(key, unpacked(word));

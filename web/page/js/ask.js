@@ -63,6 +63,8 @@ const PATIENCE = 1500;
 export class Slot {
   /** @type {AbortController | undefined} */ flying;
   /** @type {(() => void) | undefined} */ waiting;
+  /** What was answered last. */
+  known = { key: "", answer: /** @type {unknown} */ (undefined) };
   since = 0;
   timer = 0;
   patience = 0;
@@ -75,18 +77,24 @@ export class Slot {
   }
 
   /**
-   * Asks, or waits for the question before.
+   * Asks, or waits for the question before; what was answered last is answered again at once.
    * @template {keyof Commands} K @param {K} command @param {Commands[K]["request"]} request
    * @param {(answer: Commands[K]["answer"]) => void} take
    * @param {(problem: Problem) => void} [fail]
    */
   ask(command, request, take, fail) {
+    const key = command + JSON.stringify(request);
     const go = async () => {
       const { signal } = (this.flying = new AbortController());
       this.since = performance.now();
       this.timer ||= window.setTimeout(() => this.busy?.(true), 150);
       try {
-        take(await answerTo(command, request, { lane: this.lane, signal }));
+        if (this.known.key !== key)
+          this.known = {
+            key,
+            answer: await answerTo(command, request, { lane: this.lane, signal }),
+          };
+        take(/** @type {Commands[K]["answer"]} */ (this.known.answer));
       } catch (problem) {
         if (!signal.aborted) fail?.(problemOf(problem));
       }

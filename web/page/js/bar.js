@@ -11,11 +11,11 @@ import {
   notice,
   noticeProblem,
   textField,
+  warnings,
 } from "./dom.js";
-import { warnings } from "./form.js";
 import { inShort, muscle } from "./muscle.js";
 import { fileName } from "./toml.js";
-import { openDialog } from "./open.js";
+import { openDialog } from "./gallery.js";
 import { thumbnail } from "./thumbnail.js";
 import { names } from "./steps.js";
 

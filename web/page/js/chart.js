@@ -1,14 +1,12 @@
 // A chart: curves over a picture or none, as SVG (lines.js); with a table, PNG, SVG and CSV.
-import { atEnd } from "./life.js";
 import { csv } from "./columns.js";
-import { block, button, download, el, menu } from "./dom.js";
-import { table } from "./form.js";
+import { block, button, download, el, menu, table } from "./dom.js";
 import { linesOf } from "./lines.js";
 import { KINDS } from "./plot.js";
 import { VIRIDIS } from "./shaders.js";
 import { isDark } from "./theme.js";
 import { builtPull, clamp, number, outside } from "./units.js";
-import { signal, watch } from "./watch.js";
+import { atEnd, signal, watch } from "./watch.js";
 
 export { KINDS };
 
@@ -23,13 +21,8 @@ function viridisAt(share, most) {
 }
 /** Without its palest end, which a white page would swallow. @param {number} share */
 export const viridis = (share, most = 0.82) => `rgb(${viridisAt(share, most).join(",")})`;
-/** The colour of a share, to be seen on the page. @param {number} share */
+/** The colour of a share, of a pressure that of its highest one: the same in every chart. @param {number} share */
 export const shade = (share) => (isDark() ? viridis(0.3 + 0.7 * share, 1) : viridis(share));
-/**
- * The colour of a pressure: the same in every chart of a page.
- * @param {number} pressure @param {number} top
- */
-export const pressureColour = (pressure, top) => shade(pressure / top);
 /** @typedef {ReturnType<typeof chartOf>} Chart */
 /**
  * @param {string} name of its files
@@ -37,7 +30,7 @@ export const pressureColour = (pressure, top) => shade(pressure / top);
  * unknown }} [options]
  */
 export function chartOf(name, { tools, drag } = {}) {
-  const spec = signal(/** @type {Spec | undefined} */ (undefined)),
+  /** @type {Signal<Spec | undefined>} */ const spec = signal(),
     lines = linesOf(name, drag),
     { host } = lines,
     cells = el("div", { class: "scroll", hidden: true, tabindex: 0 });

@@ -180,8 +180,7 @@ export function quantity(spec) {
     slider.value = now === undefined ? "0" : String(1000 * share(now));
     if (fieldToo) write(now === undefined ? "" : asText(now));
     unit.textContent = kind === "ratio" ? "" : (spec.unit ?? unitName(kind));
-    slider.ariaValueText =
-      now === undefined ? "not given" : `${number(outside(kind, now))} ${unitName(kind)}`;
+    slider.ariaValueText = now === undefined ? "not given" : show(kind, now);
     hint();
   }
 
@@ -259,6 +258,11 @@ export function quantity(spec) {
 export function choice(label, options, change) {
   const select = el("select", { onchange: () => change(select.value) }, ...optionsOf(options));
   const element = el("label", { class: "choice" }, el("span", label), select);
+  /** The usual one stands once. */
+  const once = () => {
+    const [usual, ...others] = select.options;
+    for (const one of others) one.hidden = one.text === usual.text;
+  };
   return {
     element,
     /** @param {string} v */
@@ -269,10 +273,12 @@ export function choice(label, options, change) {
     /** The name of the first one, which is the usual. @param {string} text */
     first(text) {
       select.options[0].textContent = text;
+      once();
     },
     /** More to choose from. @param {string[]} names */
     options(names) {
       addOptions(select, names);
+      once();
     },
   };
 }
@@ -292,12 +298,6 @@ export async function textOf(file) {
 
 /** Names of tables end so. */
 export const TABLES = ".csv,.txt,.tsv,.xlsx,.ods";
-/**
- * Boxes that take a file which is dropped on them.
- * @type {WeakMap<Element, (file: File | undefined) => void>}
- */
-export const boxes = new WeakMap();
-
 /**
  * What opens the browser's window of files; a button stands for it.
  * @param {string} label @param {string} accept @param {(files: File[]) => void} take
@@ -331,12 +331,15 @@ export function fileField(label, accept, take) {
     }
   };
   const input = fileInput(label, accept, ([file]) => read(file));
-  const box = block(
-    "drop",
+  const ondrop = (/** @type {DragEvent} */ event) => {
+    event.preventDefault();
+    read(event.dataTransfer?.files[0]);
+  };
+  return el(
+    "div",
+    { class: "drop", ondrop },
     button(label, () => input.click()),
     el("p", { class: "small soft", style: "margin:4px 0 0" }, "or drop it here"),
     input,
   );
-  boxes.set(box, read);
-  return box;
 }

@@ -1,16 +1,25 @@
 // The answer of a design as people read it: what to take and set, what else could take its place,
 // the table of all, and what would fit.
-import { inTen } from "./chance.js";
+import { certaintyOf, inTen } from "./chance.js";
 import { csv } from "./columns.js";
-import { button, capital, download, el, folded, heading, paragraph } from "./dom.js";
-import { table, warnings } from "./form.js";
+import {
+  button,
+  capital,
+  download,
+  el,
+  folded,
+  heading,
+  notice,
+  paragraph,
+  table,
+  warnings,
+} from "./dom.js";
 import { muscle, visit } from "./muscle.js";
 import { prototype } from "./state.js";
 import { thumbnail } from "./thumbnail.js";
 import {
   asBuilt,
   inWords,
-  number,
   outside,
   show,
   showForce,
@@ -21,93 +30,63 @@ import {
 } from "./units.js";
 
 /** Prices of tubes and sleeves by their names. @typedef {Map<string, string>} Prices */
-/** Version 4 of the interface; an older engine has none of it. */
-/**
- * @typedef {{ chance?: number | null, width_mm?: number | null, pressure_low_mpa?: number | null,
- * pressure_high_mpa?: number | null }} Chance
- */
-/** @typedef {Candidate & Chance} One */
-/** @typedef {NonNullable<Design["answer"]["choices"]>[number] & Chance} Choice */
+/** @typedef {import("./chance.js").Choice} Choice */
 
-/** How wide it gets. @param {One} c */
-export const widthOf = (c) => c.width_mm ?? c.bulged_diameter_mm ?? c.outer_diameter_mm;
-/** The pressure to begin with, and between which nine of ten end. @param {{ pressure_mpa: number } & Chance} c */
+/** How many side by side, and how wide each gets. @param {Pick<Candidate, "count" | "width_mm">} c */
+export const widthOf = ({ count, width_mm: width }) =>
+  `${count > 1 ? `${count} × ` : ""}${showLength(width, 3)}`;
+/** The pressure to begin with, and between which nine of ten end. @param {Choice} c */
 const set = ({ pressure_mpa: p, pressure_low_mpa: low, pressure_high_mpa: high }) =>
   showPressure(p, 3) +
   (low && high ? ` (${[low, high].map((v) => showPressure(v, 3)).join(" to ")})` : "");
-const chance = (/** @type {Chance} */ c) => (c.chance == null ? "–" : inTen(c.chance));
+const chance = (/** @type {Candidate} */ c) => (c.chance == null ? "–" : inTen(c.chance));
 
-/**
- * Columns: heading, unit for CSV, cell for people, value for CSV.
- * @typedef {[string, string, (c: One) => string, (c: One) => string | number | null | undefined]}
- * Column
- */
+/** Columns: heading, value, kind of its quantity or its unit, and digits. @typedef {[string, (c: Candidate) => string | number | null | undefined, string?, number?]} Column */
 /**
  * Columns that tell the candidates apart; what all have alike is said above.
- * @param {One[]} all @param {Prices} prices @returns {Column[]}
+ * @param {Candidate[]} all @param {Prices} prices @returns {Column[]}
  */
 function columns(all, prices) {
-  /**
-   * @param {string} head @param {string} kind @param {(c: One) => number | null | undefined} of
-   * @returns {Column}
-   */
-  const quantity = (head, kind, of, digits = 4) => [
-    head,
-    unitName(kind),
-    (c) => show(kind, of(c), digits),
-    (c) => {
-      const v = of(c);
-      return v == null ? "" : Number(outside(kind, v).toPrecision(8));
-    },
+  const price = (/** @type {Candidate} */ { tube, sleeve }) =>
+    [tube, sleeve].flatMap((name) => prices.get(name ?? "") || []).join(" + ");
+  /** @type {Column[]} */ const list = [
+    ["tube", (c) => c.tube],
+    ["sleeve", (c) => c.sleeve],
+    ["D0", (c) => c.outer_diameter_mm, "length"],
+    ["s", (c) => c.wall_mm, "length"],
+    ["L0", (c) => c.length_mm, "length"],
+    ["θ0", (c) => c.angle_deg, "angle"],
+    ["rubber", (c) => c.rubber],
+    ["chance", chance],
+    ["set", (c) => c.pressure_mpa, "pressure", 3],
+    ["± of the pull", (c) => c.uncertainty_n, "force", 2],
+    ["width in use", (c) => c.width_mm, "length"],
+    ["burst pressure", (c) => c.burst_pressure_mpa, "pressure", 3],
+    ["liquid per stroke", (c) => c.liquid_volume_mm3, "volume", 3],
+    ["air per stroke", (c) => (c.liquid_volume_mm3 ? null : c.air_normal_litres), "normal L", 3],
+    ["mass", (c) => c.mass_g ?? c.rubber_mass_g, "g", 3],
+    ["price", price],
   ];
-  /** @param {string} head @param {(c: One) => string | null | undefined} of @returns {Column} */
-  const words = (head, of) => [head, "", (c) => of(c) || "–", of];
-  const price = (/** @type {One} */ { tube, sleeve }) =>
-    [tube, sleeve].flatMap((name) => prices.get(name ?? "") ?? []).join(" + ");
-  const mass = (/** @type {One} */ c) => c.mass_g ?? c.rubber_mass_g;
-  const liquid = all.some((c) => c.liquid_volume_mm3);
-  const list = /** @type {Column[]} */ ([
-    words("tube", (c) => c.tube),
-    words("sleeve", (c) => c.sleeve),
-    quantity("D0", "length", (c) => c.outer_diameter_mm),
-    quantity("s", "length", (c) => c.wall_mm),
-    quantity("L0", "length", (c) => c.length_mm),
-    quantity("θ0", "angle", (c) => c.angle_deg),
-    words("rubber", (c) => c.rubber),
-    ["chance", "", chance, (c) => c.chance],
-    quantity("set", "pressure", (c) => c.pressure_mpa, 3),
-    quantity("± of the pull", "force", (c) => c.uncertainty_n, 2),
-    quantity("width in use", "length", widthOf),
-    quantity("burst pressure", "pressure", (c) => c.burst_pressure_mpa, 3),
-    liquid
-      ? quantity("liquid per stroke", "volume", (c) => c.liquid_volume_mm3, 3)
-      : [
-          "air per stroke",
-          "normal L",
-          (c) => `${number(c.air_normal_litres, 3)} L`,
-          (c) => c.air_normal_litres,
-        ],
-    ["mass", "g", (c) => `${number(mass(c), 3)} g`, mass],
-    words("price", price),
-  ]);
-  return list.filter(([head, , , of]) => {
+  return list.filter(([head, of]) => {
     const values = new Set(all.map(of));
     if (head === "L0") return values.size > 1;
     if (head === "rubber" || head === "s") return !all.every((c) => c.tube);
     if (head === "θ0") return !all.every((c) => c.sleeve);
-    return [...values].some((v) => v != null && v !== "");
+    return [...values].some((v) => v || v === 0);
   });
 }
 
 /**
- * A candidate as its own file: branch and required pulls are in it. A joint has the question of it.
- * @param {Design["answer"]} answer @param {Design["request"]} asked
+ * A candidate as its own file: branch and required pulls are in it. A joint has the question of it,
+ * of several side by side the share of one.
+ * @param {Design["answer"]} answer @param {Design["request"] | undefined} asked
  */
 export function openCandidate({ candidates, muscle_files = [], max_pressure_mpa }, asked, i = 0) {
-  const { pressure_mpa: p, points, joint, highest_pressure_mpa } = candidates[i],
-    [turn] = asked.torques ?? [];
+  const { pressure_mpa: p, points, joint, count, highest_pressure_mpa } = candidates[i],
+    [turn] = asked?.torques ?? [];
   muscle.state = { ...prototype(), file: muscle_files[i].text, p, e: points[0].contraction };
   muscle.called = "";
+  if (count > 1) notice(`This is one of ${count} side by side, with its share of what was asked.`);
   if (!joint) return visit("muscle", {});
   visit("joint", {
     r: `${joint.radius_mm}mm`,
@@ -116,7 +95,7 @@ export function openCandidate({ candidates, muscle_files = [], max_pressure_mpa 
     high: `${joint.largest_angle_deg}deg`,
     pmax: `${highest_pressure_mpa ?? max_pressure_mpa}MPa`,
     phi: turn && `${turn.angle_deg}deg`,
-    M: turn && `${turn.torque_nm}Nm`,
+    M: turn && `${turn.torque_nm / count}Nm`,
     K: "0Nm/rad",
   });
 }
@@ -151,27 +130,24 @@ export function headView(answer) {
 }
 
 /**
- * What could take the place of the first muscle.
- * @param {Choice[]} list @param {((i: number) => void) | undefined} pick
+ * What could take the place of the first muscle; that of another chance is asked for.
+ * @param {readonly Choice[]} list @param {(certainty: number) => void} ensure
  */
-export function choicesView(list, pick) {
-  if (!list.length) return "";
-  const known = list.some((c) => c.chance != null);
+export function choicesView(list, ensure) {
   const rows = list.map((c) => [
-    c.name,
-    ...(known ? [chance(c)] : []),
-    showLength(c.width_mm ?? c.envelope_mm, 3),
+    c.kind === "chance" ? button(c.name, () => ensure(certaintyOf(c)), { class: "bare" }) : c.name,
+    chance(c),
+    widthOf(c),
+    showLength(c.envelope_mm, 3),
     showLength(c.length_mm),
     set(c),
     pulls(c),
     c.parts,
   ]);
-  const head = ["choice", ...(known ? ["chance"] : []), "width", "L0", "set", "pulls (95 %)"];
-  return table([...head, "parts"], rows, {
-    text: [0, head.length],
-    pick: known ? pick : undefined,
-    label: "One muscle, and what could take its place",
-  });
+  const head = ["choice", "chance", "width", "width of all", "L0", "set", "pulls (95 %)", "parts"];
+  return list.length
+    ? table(head, rows, { text: [0, 7], label: "One muscle, and what could take its place" })
+    : "";
 }
 
 /** Between which a built one pulls at its first point. @param {Choice} choice */
@@ -199,21 +175,32 @@ function points(best) {
 
 /**
  * All that was found.
- * @param {Design["answer"]} answer @param {Design["request"]} asked @param {Prices} prices
+ * @param {Design["answer"]} answer @param {Design["request"] | undefined} asked
+ * @param {Prices} prices
  */
 export function foundView(answer, asked, prices) {
   const { candidates } = answer,
-    list = columns(candidates, prices),
-    head = list.map(([name, unit]) => (unit ? `${name} [${unit}]` : name));
-  const save = () =>
-    download("design.csv", csv([head, ...candidates.map((c) => list.map(([, , , of]) => of(c)))]));
-  const named = ["tube", "sleeve", "rubber", "price"];
+    list = columns(candidates, prices);
+  const save = () => {
+    const rows = candidates.map((c) =>
+      list.map(([, of, kind]) => {
+        const value = of(c);
+        return kind ? Number(outside(kind, Number(value)).toPrecision(8)) : value;
+      }),
+    );
+    const head = list.map(([name, , kind]) => (kind ? `${name} [${unitName(kind)}]` : name));
+    download("design.csv", csv([head, ...rows]));
+  };
+  const cell = (/** @type {Candidate} */ c, /** @type {Column} */ [, of, kind, digits]) => {
+    const value = of(c);
+    return typeof value === "number" ? show(kind ?? "", value, digits) : value || "–";
+  };
   return [
     table(
       ["", ...list.map(([name]) => name)],
-      candidates.map((c) => [thumbnail(c), ...list.map(([, , cell]) => cell(c))]),
+      candidates.map((c) => [thumbnail(c), ...list.map((column) => cell(c, column))]),
       {
-        text: list.flatMap(([name], i) => (named.includes(name) ? [i + 1] : [])),
+        text: list.flatMap(([, , kind], i) => (kind ? [] : [i + 1])),
         pick: (i) => openCandidate(answer, asked, i),
         label: "Muscles that fit, best first",
       },

@@ -1,6 +1,6 @@
 // Elements in one call, and what every page needs of the document.
 import { problemOf } from "./engine/problem.js";
-import { inWords } from "./units.js";
+import { inWords, partName } from "./units.js";
 
 /** What may stand in an element. @typedef {Node | string | null | undefined | false} Child */
 /**
@@ -42,7 +42,6 @@ export const heading = part("h2");
 export const paragraph = part("p");
 /** What is said beside the matter. */
 export const remark = part("p", "small soft");
-export const smallPrint = part("p", "small");
 /** What is said where there is nothing yet. */
 export const faded = part("p", "soft");
 /** Buttons, fields and words in a row. */
@@ -86,7 +85,9 @@ export const mainButton = (text, act) => button(text, act, { class: "main" });
 export function addOptions(select, names) {
   const there = new Set([...select.options].map((o) => o.value));
   select.append(
-    ...names.filter((value) => !there.has(value)).map((value) => el("option", { value }, value)),
+    ...names
+      .filter((value) => !there.has(value))
+      .map((value) => el("option", { value }, partName(value))),
   );
 }
 
@@ -114,7 +115,7 @@ export function problemBox(thrown) {
     "div",
     { class: "problem", role: "alert" },
     paragraph(words),
-    hint && smallPrint(capital(inWords(hint))),
+    hint && remark(capital(inWords(hint))),
   );
 }
 
@@ -134,31 +135,6 @@ export function download(name, content) {
   const link = el("a", { href: url, download: name });
   link.click();
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
-}
-
-/**
- * An element that is dragged: told where, and whether it is the end or the beginning of the
- * gesture.
- * @param {HTMLElement | SVGElement} element
- * @param {(event: PointerEvent, settled: boolean, begins: boolean) => void} act
- */
-export function dragging(element, act) {
-  let on = false;
-  for (const type of /** @type {const} */ ([
-    "pointerdown",
-    "pointermove",
-    "pointerup",
-    "pointercancel",
-  ])) {
-    element.addEventListener(type, (/** @type {any} */ event) => {
-      if (type === "pointerdown") {
-        on = true;
-        element.setPointerCapture(event.pointerId);
-      }
-      if (on && type !== "pointercancel") act(event, type === "pointerup", type === "pointerdown");
-      on &&= type === "pointerdown" || type === "pointermove";
-    });
-  }
 }
 
 /**
@@ -215,24 +191,87 @@ export function noticeProblem(thrown, what = "") {
   notice([what, inWords(message), inWords(hint)].filter(Boolean).join(" "));
 }
 
-// A window over the page, as the browser has it: Escape closes it, and the focus returns to where
-// it was.
+// A window over the page, as the browser has it: Escape or a click beside it closes it, and the
+// focus returns to where it was.
 let windows = 0;
 /** @param {string} title @param {(close: () => void) => (Node | string | null)[]} inside */
 export function dialog(title, inside) {
   const id = `dialog-${++windows}`;
   const close = () => box.close();
-  const box = el("dialog", {
-    "aria-labelledby": id,
-    onclose: () => box.remove(),
-    // A click beside it closes it too.
-    onclick(/** @type {MouseEvent} */ event) {
-      if (event.target === box) close();
-    },
-  });
+  const box = el("dialog", { "aria-labelledby": id, closedby: "any", onclose: () => box.remove() });
   const head = block("row head", el("h2", { id }, title), button("Close", close));
   box.append(block("inside", head, ...inside(close)));
   document.body.append(box);
   box.showModal();
   return box;
 }
+
+/**
+ * A table.
+ * @param {string[]} head @param {(string | Node)[][]} rows
+ * @param {{ text?: number[], pick?: (row: number) => void, label?: string }} [options] columns of
+ * text are aligned
+ *   left
+ */
+export function table(head, rows, { text = [0], pick, label } = {}) {
+  const cell = (
+    /** @type {"td" | "th"} */ tag,
+    /** @type {string | Node} */ value,
+    /** @type {number} */ i,
+  ) =>
+    el(
+      tag,
+      { class: text.includes(i) ? "text" : undefined, scope: tag === "th" ? "col" : undefined },
+      value,
+    );
+  const picked = (/** @type {number} */ i) =>
+    pick
+      ? {
+          class: "pick",
+          tabindex: 0,
+          onclick: () => pick(i),
+          onkeydown(/** @type {KeyboardEvent} */ event) {
+            if (event.key === "Enter") pick(i);
+          },
+        }
+      : {};
+  const body = rows.map((row, i) =>
+    el("tr", picked(i), ...row.map((value, k) => cell("td", value, k))),
+  );
+  return el(
+    "div",
+    {
+      class: "scroll",
+      tabindex: pick ? undefined : 0,
+      role: "region",
+      ariaLabel: label ?? "table",
+    },
+    el(
+      "table",
+      el("thead", el("tr", ...head.map((h, i) => cell(h ? "th" : "td", h, i)))),
+      el("tbody", ...body),
+    ),
+  );
+}
+
+/**
+ * Warnings of an answer, and other sentences.
+ * @param {(string | { message: string })[] | undefined} list
+ */
+export const warnings = (list) =>
+  el(
+    "ul",
+    { class: "warnings" },
+    ...(list ?? []).map((w) => el("li", capital(inWords(typeof w === "string" ? w : w.message)))),
+  );
+
+/** Inputs in one column. @param {string} label @param {Child[]} children */
+export const inputs = (label, ...children) =>
+  el("section", { class: "controls", ariaLabel: label }, ...children);
+
+/**
+ * A page of controls, and what they lead to beside them.
+ * @param {string} label @param {(Node | string | null)[]} controls @param {Node[]} middle
+ */
+export const bench = (label, controls, middle) =>
+  block("bench two", inputs(label, ...controls), block("middle", ...middle));

@@ -1,6 +1,6 @@
 // Files that are dropped anywhere, or chosen: what each is follows from what it holds, and each
 // goes to the page that it belongs to.
-import { boxes, textOf } from "./controls.js";
+import { textOf } from "./controls.js";
 import { headings } from "./columns.js";
 import { ofFile } from "./joint-words.js";
 import { keepFile, measured } from "./kept.js";
@@ -13,6 +13,14 @@ import { notice, noticeProblem } from "./dom.js";
  */
 /** @typedef {{ name: string, text: string, kind: Kind }} Read */
 const MOST = 60_000_000;
+/** Tables that tell a file of TOML from a muscle's. @type {[string, Kind][]} */
+const TABLES = [
+  ["joint", "joint"],
+  ["vary", "other"],
+  ["sampling", "other"],
+  ["command", "drive"],
+  ["valve", "drive"],
+];
 
 /**
  * Whether a table is a test of a rubber: stretches or strains with stresses, and no contraction.
@@ -36,12 +44,11 @@ function kindOfFile(name, text) {
         ? "formula"
         : "other";
   if (/\.(csv|tsv|txt|dat|xlsx|ods)$/i.test(name)) return isRubberTest(text) ? "rubber" : "data";
-  const tables = new Set([...text.matchAll(/^[ \t]*\[\[?[ \t]*([\w-]+)/gm)].map((m) => m[1]));
-  if (tables.has("joint")) return "joint";
-  if (tables.has("vary") || tables.has("sampling")) return "other";
-  if (tables.has("command") || tables.has("valve")) return "drive";
-  if (tables.has("tube") || tables.has("braid") || /\.toml$/i.test(name)) return "muscle";
-  return "other";
+  const tables = [...stated(text).keys()].map((place) => place.split(".")[0]);
+  return (
+    TABLES.find(([table]) => tables.includes(table))?.[1] ??
+    (/\.toml$/i.test(name) ? "muscle" : "other")
+  );
 }
 
 /** The muscle files that a joint or drive names, without their folders. @param {string} text */
@@ -52,21 +59,20 @@ const namedIn = (text) =>
 
 /** @param {Read[]} files */
 async function take(files) {
-  const first = (/** @type {Kind} */ kind) => files.find((file) => file.kind === kind);
-  const project = first("project"),
-    formula = first("formula");
+  const [project, formula, joint, drive, data, rubber] = /** @type {const} */ ([
+    "project",
+    "formula",
+    "joint",
+    "drive",
+    "data",
+    "rubber",
+  ]).map((kind) => files.find((file) => file.kind === kind));
   if (project) return openProject(project.text);
   if (formula) {
     keepFile("formula", { name: formula.name, text: formula.text });
     notice(`${formula.name} is among the models of the isobaric curves, under Another model.`);
     return visit("muscle", { over: formula.name });
   }
-  const [joint, drive, data, rubber] = /** @type {const} */ ([
-    "joint",
-    "drive",
-    "data",
-    "rubber",
-  ]).map(first);
   const muscles = files.filter((file) => file.kind === "muscle"),
     wanted = namedIn(joint?.text ?? drive?.text ?? "");
   const own = muscles.find((file) => file.name === wanted[0]) ?? muscles[0];
@@ -149,10 +155,9 @@ export function dropAnywhere() {
   addEventListener("drop", (event) => {
     classList.remove("dropping");
     const files = [...(event.dataTransfer?.files ?? [])];
-    if (!files.length) return;
+    // A box for one kind of file has taken it.
+    if (!files.length || event.defaultPrevented) return;
     event.preventDefault();
-    const box = /** @type {Element} */ (event.target).closest(".drop");
-    if (box) boxes.get(box)?.(files[0]);
-    else takeFiles(files);
+    takeFiles(files);
   });
 }

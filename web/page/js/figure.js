@@ -1,7 +1,6 @@
 // Figures of the engine (data: panels, axes, series, marks) as charts.
 import { chartOf, KINDS, shade } from "./chart.js";
 import { block, capital, el, remark } from "./dom.js";
-import { token } from "./theme.js";
 import { inWords } from "./units.js";
 
 /** @typedef {NonNullable<Commands["curve"]["answer"]["figure"]>} Figure */
@@ -57,11 +56,12 @@ function spec(panel, figure) {
     const n = s.colour ?? i,
       auto = ordered ? "solid" : DASHES[n % DASHES.length],
       band = s.style === "band";
-    const dashes = /** @type {Record<string, Series["dash"]>} */ ({
+    /** @type {Record<string, Series["dash"]>} */ const dashes = {
       dashed: "dash",
       dotted: "dot",
+      "dash-dot": "dash",
       auto,
-    });
+    };
     return {
       name: band ? "±" : s.label || s.end_label || panel.y.label,
       legend: band ? "" : s.label,
@@ -69,7 +69,7 @@ function spec(panel, figure) {
       band,
       dash: dashes[s.style],
       mode: s.style === "points" ? "markers" : "lines",
-      colour: ordered ? shade(n / most) : s.neutral ? token("--ink") : KINDS[n % KINDS.length],
+      colour: ordered ? shade(n / most) : s.neutral ? "currentColor" : KINDS[n % KINDS.length],
       // A gap is no number.
       x: s.points.map((p) => kx * (p[0] ?? NaN)),
       y: s.points.map((p) => ky * (p[1] ?? NaN)),

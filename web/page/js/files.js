@@ -1,8 +1,19 @@
 // The muscle as files: a report, what the workshop needs, code for controllers and simulators, and
 // files of finite-element programs.
 import { answerTo } from "./ask.js";
-import { block, button, dialog, download, el, faded, heading, paragraph, remark } from "./dom.js";
-import { fieldsOf, form, job, warnings } from "./form.js";
+import {
+  block,
+  button,
+  dialog,
+  download,
+  el,
+  faded,
+  heading,
+  paragraph,
+  remark,
+  warnings,
+} from "./dom.js";
+import { fieldsOf, form, job } from "./form.js";
 import { keepWords, wordsOf } from "./kept.js";
 import { muscle } from "./muscle.js";
 import { fileName, named } from "./toml.js";

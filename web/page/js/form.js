@@ -6,19 +6,17 @@ import {
   addOptions,
   block,
   button,
-  capital,
   dim,
   el,
   mainButton,
   problemBox,
   optionsOf,
-  tabs,
   textField,
 } from "./dom.js";
 import { isAbort, problemOf } from "./engine/problem.js";
 import { atEnd } from "./life.js";
 import { muscle } from "./muscle.js";
-import { expectation, inWords, meant, pointed, show, withUnit } from "./units.js";
+import { expectation, meant, pointed, show, withUnit } from "./units.js";
 
 /**
  * @typedef {number | number[] | { low: number, high: number } | undefined} Value
@@ -30,8 +28,8 @@ import { expectation, inWords, meant, pointed, show, withUnit } from "./units.js
  */
 
 let count = 0;
-/** A field with its label. @param {Field} f @param {() => void} submit @returns {Row} */
-function fieldRow(f, submit) {
+/** A field with its label. @param {Field} f @returns {Row} */
+function fieldRow(f) {
   const id = `f${++count}`,
     { kind } = f;
   const input = f.options
@@ -43,12 +41,6 @@ function fieldRow(f, submit) {
     if (kind) input.title = expectation(kind);
   };
   for (const event of ["pointerenter", "focus"]) input.addEventListener(event, hint);
-  // A form of several fields without a button of its own is not submitted by Enter.
-  input.addEventListener("keydown", (event) => {
-    if (/** @type {KeyboardEvent} */ (event).key !== "Enter" || f.options) return;
-    event.preventDefault();
-    submit();
-  });
   const below = el("p", { id: `${id}w`, hidden: true });
   const line = el("div", { class: "choice" }, el("label", { for: id }, f.label), input);
   const row = el("div", { hidden: f.hidden }, line, below);
@@ -75,19 +67,25 @@ class Form {
   constructor(fields, submit) {
     this.fields = fields;
     this.keys = fields.map((f) => f.key);
-    this.rows = new Map(fields.map((f) => [f.key, fieldRow(f, submit)]));
+    this.rows = Object.fromEntries(fields.map((f) => [f.key, fieldRow(f)]));
     const send = (/** @type {Event} */ event) => {
       event.preventDefault();
       submit();
     };
-    this.element = el("form", { onsubmit: send }, ...[...this.rows.values()].map(({ row }) => row));
+    this.element = el(
+      "form",
+      { onsubmit: send },
+      ...Object.values(this.rows).map(({ row }) => row),
+      // Enter in any field is as a click on it.
+      el("button", { hidden: true }),
+    );
   }
 
   /** @param {string} key @param {string} message */
   mark(key, message) {
-    const of = this.rows.get(key),
-      box = of?.row.closest("details");
-    of?.say(message, true);
+    const { row, say } = this.rows[key],
+      box = row.closest("details");
+    say(message, true);
     if (message && box) box.open = true;
   }
 
@@ -97,9 +95,9 @@ class Form {
    * @param {{ intervals?: boolean }} [options] @returns {Promise<Read | undefined>}
    */
   async read({ intervals = false } = {}) {
-    const values = /** @type {Read} */ ({}),
-      asked = /** @type {Asked[]} */ ([]),
-      notes = /** @type {Map<string, string>} */ (new Map());
+    /** @type {Read} */ const values = {},
+      /** @type {Asked[]} */ asked = [],
+      /** @type {Map<string, string>} */ notes = new Map();
     /** A text as the engine shall read it. @param {Field} f @param {Kind} kind @param {string} text */
     const clear = (f, kind, text) => {
       if (f.list) return withUnit(kind, text);
@@ -116,13 +114,13 @@ class Form {
       asked.push({ f, text: clear(f, kind, text), kind, list: f.list ?? false, take });
     for (const f of this.fields) {
       const { kind, key, field, pair } = f,
-        text = this.rows.get(key)?.row.hidden ? "" : this.text(key);
+        text = this.rows[key].row.hidden ? "" : this.text(key);
       this.mark(key, "");
       if (!text) continue;
       if (pair)
         values[field] = text.split(",").map((one) => {
           const parts = one.split(/@| at /),
-            item = /** @type {Record<string, number>} */ ({});
+            /** @type {Record<string, number>} */ item = {};
           pair.forEach(([of, name], i) =>
             ask(f, of, (parts[i] ?? "").trim(), (v) => (item[name] = Number(v))),
           );
@@ -147,16 +145,15 @@ class Form {
       else take(list ? values : value);
     });
     const bad = new Set(asked.flatMap(({ f }, i) => (readings[i].problem ? [f.key] : [])));
-    for (const [key, note] of notes) if (!bad.has(key)) this.rows.get(key)?.say(note);
+    for (const [key, note] of notes) if (!bad.has(key)) this.rows[key].say(note);
     return bad.size ? undefined : values;
   }
 
   /** The texts, for an address: those that are not the usual ones. */
   texts() {
-    const own = (/** @type {Field} */ f) => this.rows.get(f.key)?.input.value ?? "";
-    return Object.fromEntries(
-      this.fields.map((f) => [f.key, own(f) === (f.value ?? "") ? "" : own(f)]),
-    );
+    const own = (/** @type {string} */ key, usual = "") =>
+      this.rows[key].input.value === usual ? "" : this.rows[key].input.value;
+    return Object.fromEntries(this.fields.map(({ key, value }) => [key, own(key, value)]));
   }
   /** @param {URLSearchParams} params */
   set(params) {
@@ -164,45 +161,37 @@ class Form {
   }
   /** What stands there where nothing is typed. @param {string} key @param {string} text */
   usual(key, text) {
-    const input = this.rows.get(key)?.input;
-    if (input instanceof HTMLInputElement) input.placeholder = text;
+    Object.assign(this.rows[key].input, { placeholder: text });
   }
   /** @param {string} key @param {boolean} on */
   shown(key, on) {
-    const of = this.rows.get(key);
-    if (of) of.row.hidden = !on;
+    this.rows[key].row.hidden = !on;
   }
   /** What is typed. @param {string} key */
   text(key) {
-    return this.rows.get(key)?.input.value.trim() ?? "";
+    return this.rows[key].input.value.trim();
   }
   /** @param {string} key @param {string} text */
   put(key, text) {
-    const of = this.rows.get(key);
-    if (of) of.input.value = text;
+    this.rows[key].input.value = text;
   }
   /**
    * Names to choose from, where they are not there yet. @param {string} key @param {string[]} names
    */
   options(key, names) {
-    const input = this.rows.get(key)?.input;
-    if (input instanceof HTMLSelectElement) addOptions(input, names);
-    else if (input && !input.hasAttribute("list")) {
-      const list = el(
-        "datalist",
-        { id: `${input.id}l` },
-        ...names.map((value) => el("option", { value })),
-      );
-      input.setAttribute("list", list.id);
-      input.after(list);
-    }
+    const { input } = this.rows[key];
+    if (input instanceof HTMLSelectElement) return addOptions(input, names);
+    const id = `${input.id}l`;
+    if (input.hasAttribute("list")) return;
+    input.setAttribute("list", id);
+    input.after(el("datalist", { id }, ...names.map((value) => el("option", { value }))));
   }
   /**
    * Shows a problem at its field, or says that it has none to be seen.
    * @param {Problem} problem
    */
   at({ field, message, hint }) {
-    const f = this.fields.find((x) => x.field === field && !this.rows.get(x.key)?.row.hidden);
+    const f = this.fields.find((x) => x.field === field && !this.rows[x.key].row.hidden);
     if (f) this.mark(f.key, hint ? `${message}; ${hint}` : message);
     return Boolean(f);
   }
@@ -223,30 +212,6 @@ export const fieldsOf = (rows) =>
     ...(typeof kind === "object" ? kind : { kind }),
     ...(typeof more === "string" ? { value: more } : more),
   }));
-
-/**
- * A switch between kinds of a question, each with its fields of a form.
- * @param {Form} of @param {[kind: string, text: string, fields: string[]][]} kinds
- * @param {(kind: string) => void} choose
- */
-export function kindsOf(of, kinds, choose) {
-  const { list, set } = tabs(
-    "What it must do",
-    kinds.map(([kind, text]) => [kind, text]),
-    "",
-    (kind) => {
-      select(kind);
-      choose(kind);
-    },
-  );
-  function select(/** @type {string} */ chosen) {
-    set(chosen);
-    const own = kinds.find(([kind]) => kind === chosen)?.[2] ?? [];
-    for (const key of kinds.flatMap(([, , keys]) => keys)) of.shown(key, own.includes(key));
-  }
-  select(kinds[0][0]);
-  return { list, select };
-}
 
 /** A form of quantities. @param {Field[]} fields @param {() => void} submit */
 export const form = (fields, submit) => new Form(fields, submit);
@@ -313,73 +278,3 @@ export function job(label, command, request, take, { fields, shown = [], minor =
   atEnd(() => ends?.abort());
   return { element: block("", block("row", start, stop, bar, words), said), run };
 }
-
-/**
- * A table.
- * @param {string[]} head @param {(string | Node)[][]} rows
- * @param {{ text?: number[], pick?: (row: number) => void, label?: string }} [options] columns of
- * text are aligned
- *   left
- */
-export function table(head, rows, { text = [0], pick, label } = {}) {
-  const cell = (
-    /** @type {"td" | "th"} */ tag,
-    /** @type {string | Node} */ value,
-    /** @type {number} */ i,
-  ) =>
-    el(
-      tag,
-      { class: text.includes(i) ? "text" : undefined, scope: tag === "th" ? "col" : undefined },
-      value,
-    );
-  const picked = (/** @type {number} */ i) =>
-    pick
-      ? {
-          class: "pick",
-          tabindex: 0,
-          onclick: () => pick(i),
-          onkeydown(/** @type {KeyboardEvent} */ event) {
-            if (event.key === "Enter") pick(i);
-          },
-        }
-      : {};
-  const body = rows.map((row, i) =>
-    el("tr", picked(i), ...row.map((value, k) => cell("td", value, k))),
-  );
-  return el(
-    "div",
-    {
-      class: "scroll",
-      tabindex: pick ? undefined : 0,
-      role: "region",
-      ariaLabel: label ?? "table",
-    },
-    el(
-      "table",
-      el("thead", el("tr", ...head.map((h, i) => cell(h ? "th" : "td", h, i)))),
-      el("tbody", ...body),
-    ),
-  );
-}
-
-/**
- * Warnings of an answer, and other sentences.
- * @param {(string | { message: string })[] | undefined} list
- */
-export const warnings = (list) =>
-  el(
-    "ul",
-    { class: "warnings" },
-    ...(list ?? []).map((w) => el("li", capital(inWords(typeof w === "string" ? w : w.message)))),
-  );
-
-/** Inputs in one column. @param {string} label @param {import("./dom.js").Child[]} children */
-export const inputs = (label, ...children) =>
-  el("section", { class: "controls", ariaLabel: label }, ...children);
-
-/**
- * A page of controls, and what they lead to beside them.
- * @param {string} label @param {(Node | string | null)[]} controls @param {Node[]} middle
- */
-export const bench = (label, controls, middle) =>
-  block("bench two", inputs(label, ...controls), block("middle", ...middle));

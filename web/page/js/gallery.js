@@ -1,6 +1,19 @@
 // Muscles to begin with: files of the folder `examples`, with pictures that are drawn from them.
 import { address } from "./address.js";
-import { block, button, capital, download, el, heading, mainButton, rowOf } from "./dom.js";
+import {
+  block,
+  button,
+  capital,
+  dialog,
+  download,
+  el,
+  heading,
+  mainButton,
+  problemBox,
+  rowOf,
+} from "./dom.js";
+import { takeFiles } from "./drop.js";
+import { TABLES, fileInput } from "./controls.js";
 import { keepFile, measured } from "./kept.js";
 import { SCRIPTS } from "./place.js";
 import { card, thumbnail } from "./thumbnail.js";
@@ -10,7 +23,7 @@ import { muscle, visit } from "./muscle.js";
 import { fileName } from "./toml.js";
 
 /**
- * A muscle of the gallery: its file; D0, s, L0 and the strand angle for
+ * A muscle of the gallery: its file; D0, L0 and the strand angle for
  * its picture; what it is, and the page that it is shown on, with words of the address and files of
  * that page.
  * @typedef {[title: string, about: string, size: number[], of: { file: string, page?: string,
@@ -21,7 +34,7 @@ export const GALLERY = [
   [
     "Reference muscle (Antonelli 2018)",
     "30 mm, soft rubber, braid at 28°",
-    [30, 3, 285, 28],
+    [30, 285, 28],
     {
       file: "prototype.toml",
 
@@ -31,7 +44,7 @@ export const GALLERY = [
   [
     "Tondu 2012",
     "A slender hand-made muscle with measured friction",
-    [14, 0.49, 300, 20],
+    [14, 300, 20],
     {
       file: "tondu2012.toml",
 
@@ -41,7 +54,7 @@ export const GALLERY = [
   [
     "From shop parts",
     "Latex hose in an expandable sleeve",
-    [9.525, 1.5875, 200, 14],
+    [9.525, 200, 14],
     {
       file: "shop.toml",
 
@@ -51,7 +64,7 @@ export const GALLERY = [
   [
     "A thin muscle",
     "2 mm, for fingers and bundles",
-    [2, 0.4, 120, 18],
+    [2, 120, 18],
     {
       file: "thin.toml",
 
@@ -61,7 +74,7 @@ export const GALLERY = [
   [
     "An elbow",
     "Two muscles on a pulley",
-    [20, 1.5, 220, 24],
+    [20, 220, 24],
     {
       file: "biceps.toml",
 
@@ -73,7 +86,7 @@ export const GALLERY = [
   [
     "A bench test, identified",
     "Measured points, and the constants that follow from them",
-    [20, 1.5, 200, 25],
+    [20, 200, 25],
     {
       file: "bench.toml",
 
@@ -93,17 +106,14 @@ export async function example(name) {
 
 /** Opens an entry: the address of its page with its muscle. @param {Entry[3]} entry */
 async function openEntry({ file, page = "muscle", words = {}, joint, data }) {
-  const [text, jointText, dataText] = await Promise.all([
-    example(file),
-    joint ? example(joint) : undefined,
-    data ? example(data) : undefined,
-  ]);
-  if (data && dataText) {
-    measured.set({ name: data, text: dataText });
+  const text = await example(file);
+  if (data) {
+    measured.set({ name: data, text: await example(data) });
     // Its constants are identified at once.
     keepFile("constants", true);
   }
-  location.hash = address(page, { ...words, u: unitsInAddress(), file: text, joint: jointText });
+  const own = joint && { joint: await example(joint) };
+  location.hash = address(page, { ...words, ...own, u: unitsInAddress(), file: text });
 }
 
 /**
@@ -114,8 +124,8 @@ export const gallery = (fail, opened, list = GALLERY) =>
   block(
     "gallery",
     ...list.map(([title, about, size, entry]) => {
-      const [outer_diameter_mm, wall_mm, length_mm, angle_deg] = size;
-      const picture = thumbnail({ outer_diameter_mm, wall_mm, length_mm, angle_deg });
+      const [outer_diameter_mm, length_mm, angle_deg] = size,
+        picture = thumbnail({ outer_diameter_mm, length_mm, angle_deg });
       return card(() => openEntry(entry).then(() => opened?.(), fail), picture, title, about);
     }),
   );
@@ -178,4 +188,32 @@ export function library(fail, opened) {
     fail,
   );
   return block("", heading("Identified from measured points"), box);
+}
+
+/** Open: a file of any kind, a muscle of the gallery or of the library. */
+export function openDialog() {
+  dialog("Open a muscle", (close) => {
+    const said = block();
+    const fail = (/** @type {unknown} */ problem) => said.replaceChildren(problemBox(problem));
+    const open = (/** @type {File[]} */ files) => {
+      close();
+      takeFiles(files);
+    };
+    const input = fileInput("Files", `.toml,.json,${TABLES}`, open, true);
+    return [
+      rowOf(
+        mainButton("Choose files", () => input.click()),
+        input,
+        el(
+          "span",
+          { class: "small soft" },
+          "A muscle, a joint or a drive (TOML), measured points (CSV, XLSX, ODS), or a formula (JSON). You can also drop files " +
+            "anywhere on the page.",
+        ),
+      ),
+      said,
+      gallery(fail, close),
+      library(fail, close),
+    ];
+  });
 }

@@ -17,23 +17,20 @@ function withoutNetwork() {
   const keep = button("Make all places available offline", async () => {
     keep.disabled = true;
     text.textContent = "Fetching …";
-    const wrong = await keepAll().then(
-      () => "",
-      (problem) => `That failed: ${problem.message}`,
-    );
-    await say();
-    if (wrong) text.textContent = wrong;
+    await keepAll().then(say, (problem) => {
+      text.textContent = `That failed: ${problem.message}`;
+    });
     keep.disabled = false;
   });
   const element = el("div", { hidden: true }, heading("Without a network"), rowOf(text, keep));
   const say = async () => {
     const all = await isKept();
-    keep.hidden = all;
+    keep.hidden = Boolean(all);
     text.textContent = all ? "Every place works." : "The muscle works; the other places need more.";
-    element.hidden = false;
+    // Where the browser keeps nothing there is nothing to say.
+    element.hidden = all === undefined;
   };
-  // Where the browser keeps nothing there is nothing to say.
-  say().catch(() => {});
+  say();
   return element;
 }
 
@@ -49,10 +46,7 @@ export function helpDialog() {
         "A muscle at rest with outer diameter D0, wall s, length L0 and braid angle θ0; and under " +
         "pressure p, contracted by ε, with its pull F",
     }),
-    remark(
-      "As built: what a muscle that you build pulls, the median and the interval that 95 % of " +
-        "measured muscles keep. The chance: how many of ten that are built reach what was asked.",
-    ),
+    remark("The chance: how many of ten that are built reach what was asked."),
     DOCUMENTATION
       ? el("iframe", { class: "book", title: "The book", src: book(help) })
       : remark("The book comes with the program: ", el("code", `docs/${help.split("#")[0]}.md`)),

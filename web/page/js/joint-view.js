@@ -1,11 +1,12 @@
 // The joint in numbers and curves: torques over the angle, what it can reach, and its numbers.
-import { KINDS, pressureColour } from "./chart.js";
+import { KINDS, shade } from "./chart.js";
 import { el, remark, termsOf } from "./dom.js";
 import {
   interval,
   niceUp,
   number,
   outside,
+  show,
   showForce,
   showLength,
   showPressure,
@@ -137,7 +138,7 @@ export function reachChart(map) {
     const name = `${number(i * step, 3)} to ${number((i + 1) * step, 3)} ${unit}`;
     const y = of.map((q) => outside(ANGULAR, q.stiffness_nm_per_rad));
     const x = of.map((q) => q.angle_deg),
-      colour = pressureColour(i + 0.5, count);
+      colour = shade((i + 0.5) / count);
     const legend = i ? name : `mean pressure ${name}`;
     return { name, legend, mode: /** @type {const} */ ("markers"), colour, x, y };
   });
@@ -168,7 +169,7 @@ function tube(m, which, point, supply, left) {
     p = point?.[`pressure_${which}_mpa`];
   const length = m.length * (1 - e),
     now = contracted(m.diameter, m.angle, e),
-    fill = pressureColour(p ?? 0, supply),
+    fill = shade((p ?? 0) / supply),
     thread = `color-mix(in srgb, ${fill} 62%, #fff)`,
     b = Math.max(m.diameter, now.bulged) / 2;
   const text =
@@ -250,6 +251,6 @@ function load(point, angle, arm) {
         `L${at(r, tip)}L${at(1.06 * r, back)}`,
       "load",
     ),
-    words(`${number(outside("torque", torque), 3)} ${unitName("torque")}`, x, y),
+    words(show("torque", torque, 3), x, y),
   ];
 }

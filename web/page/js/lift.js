@@ -3,18 +3,13 @@ import { body, contracted } from "./body.js";
 import { block } from "./dom.js";
 import { isStill, playing } from "./play.js";
 import { path, svg, words } from "./svg.js";
+import { widthOf } from "./design-view.js";
 import { clamp, showForce, showLength } from "./units.js";
 
 /** Diameter of a coin of one euro. */
 const COIN = 23.25;
 /**
- * @typedef {Pick<Candidate, "count" | "outer_diameter_mm" | "length_mm" | "angle_deg"> &
- * Partial<Pick<Candidate, "bulged_diameter_mm">> & { points: { contraction: number, required_n: number
- * }[] }} Lifting
- */
-
-/**
- * In millimetres from the middle of the bar. @param {Lifting} c @param {number} share of its way
+ * In millimetres from the middle of the bar. @param {Candidate} c @param {number} share of its way
  */
 function drawn(c, share) {
   const [{ contraction, required_n: force }] = c.points,
@@ -47,7 +42,7 @@ function drawn(c, share) {
     svg("rect", { class: kind, x: -half, y, width: 2 * half, height: half });
   const round = (/** @type {string} */ kind, /** @type {number} */ r) =>
     svg("circle", { class: kind, cx: x + COIN / 2, cy: y + COIN / 2, r });
-  const box = [-wide - 8 * font, -font, 2 * wide + 16 * font + COIN, tall + 2 * font];
+  const box = [-wide - 8 * font, -font, 2 * wide + 18 * font + COIN, tall + 2 * font];
   return svg(
     "svg",
     {
@@ -67,7 +62,7 @@ function drawn(c, share) {
     path(`M${left} ${weight}v${-way}M${left - font} ${weight}h${font}m0 ${-way}h${-font}`, "way"),
     words(showLength(way, 3), left - font, weight - way / 2, "end"),
     words(showForce(force * count, 3), 0, weight - up + half / 2, "middle"),
-    words(`${count > 1 ? `${count} × ` : ""}${showLength(most, 3)} wide`, x, y - font),
+    words(`${widthOf(c)} wide`, x, y - font),
     words("1 € coin", x, y + COIN + 1.2 * font),
     round("coin", COIN / 2),
     round("core", COIN / 3),
@@ -78,7 +73,7 @@ function drawn(c, share) {
 export function liftView() {
   const box = block("lift"),
     still = isStill();
-  /** @type {Lifting | undefined} */ let one;
+  /** @type {Candidate | undefined} */ let one;
   let shown = NaN;
   const draw = (/** @type {number} */ share) => {
     if (!one || share === shown) return;
@@ -93,8 +88,9 @@ export function liftView() {
   );
   return {
     element: block("stand", box, play.button),
-    /** @param {Lifting | undefined} next nothing leaves its place empty */
+    /** @param {Candidate | undefined} next nothing leaves its place empty */
     show(next) {
+      play.button.hidden = !next;
       if (one === next) return;
       one = next;
       shown = NaN;

@@ -1,12 +1,11 @@
 // The frame around the pages: which one is shown follows from the address.
 import { engine, loadUnits } from "./ask.js";
-import { address, read, write } from "./address.js";
+import { read, write } from "./address.js";
 import { muscleBar } from "./bar.js";
 import { byId, dim, el, mainButton, notice, paragraph, problemBox } from "./dom.js";
 import { dropAnywhere } from "./drop.js";
 import { helpButton, helpDialog } from "./help.js";
 import { keepWords, wordsOf } from "./kept.js";
-import { endAll } from "./life.js";
 import { loadMeasures, muscle } from "./muscle.js";
 import { offline } from "./offline.js";
 import { SCRIPTS } from "./place.js";
@@ -15,7 +14,7 @@ import { MOVED, PAGES, PLACES, pageOf, viewsOf } from "./pages.js";
 import "./pages/design.js";
 import { keys } from "./state.js";
 import { record, step } from "./steps.js";
-import { effect, signal } from "./watch.js";
+import { effect, endAll, signal } from "./watch.js";
 
 const main = byId("main");
 /** @typedef {{ load: (params: URLSearchParams) => Promise<void> }} View */
@@ -27,13 +26,8 @@ let routes = 0,
   same = "";
 
 /** The view of a place that was shown last. @type {Map<string, string>} */ const last = new Map();
-const places = PLACES.map(([place, text, short]) =>
-  el(
-    "a",
-    { href: `#${place}`, "data-place": place },
-    el("span", text),
-    el("span", { class: "short", ariaHidden: true }, short),
-  ),
+const places = PLACES.map(([place, text]) =>
+  el("a", { href: `#${place}`, "data-place": place }, text),
 );
 byId("pages").append(...places);
 const views = byId("views");
@@ -55,17 +49,9 @@ addEventListener("input", () =>
 
 /** Undo and redo of the muscle, on the page that is shown. @param {-1 | 1} by */
 async function walk(by) {
-  const words = step(by),
-    name = shown?.name;
-  if (!words || !name) return;
-  const query = { ...words, u: muscle.params().u };
-  history.replaceState(
-    null,
-    "",
-    name === "design"
-      ? address(name, { ...wordsOf(name), m: address("", query).slice(2) })
-      : muscle.linked(name, query),
-  );
+  const words = step(by);
+  if (!words || !shown) return;
+  history.replaceState(null, "", muscle.linked(shown.name, { ...words, u: muscle.params().u }));
   await route();
 }
 
@@ -106,9 +92,6 @@ const WINDOWS = {
   parts: async () => (await import("./parts.js")).partsDialog(),
   files: async () => (await import("./files.js")).filesDialog(),
 };
-/** Words of windows, which are none of the page's. */
-const OF_WINDOWS = ["kind", "find", "fits", "sold", "target", "elements", "project", "number"];
-
 /** B of an old comparison is the muscle now, and A is held beside it. @param {URLSearchParams} params */
 function compared(params) {
   const b = [...keys(), "model"].flatMap((key) => {
@@ -126,7 +109,6 @@ function moved(wanted, params) {
   const { name } = pageOf(wanted);
   if (wanted === "sweep") params.set("test", "sweep");
   if (wanted === "compare") compared(params);
-  if (wanted in WINDOWS) for (const key of OF_WINDOWS) params.delete(key);
   if (wanted === "formula")
     notice(
       "The place Formula is gone. The commands `campaign` and `fit` make a formula; drop its file here to see it.",

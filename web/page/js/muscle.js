@@ -48,7 +48,8 @@ const SHORT = {
   extrapolated: "outside of the model's range",
 };
 /** @param {{ kind: string, message: string }} warning */
-export const inShort = ({ kind, message }) => SHORT[kind] ?? message.split(/[,:;]/)[0];
+export const inShort = ({ kind, message }) =>
+  SHORT[kind] ?? (kind === "general" ? message : kind.replaceAll("_", " "));
 
 export class MuscleState {
   #state = signal(prototype());
@@ -99,13 +100,7 @@ export class MuscleState {
   }
   /** What it warns of. */
   get warnings() {
-    const { warnings = [], burst_pressure_mpa: burst } = this.assessed ?? {};
-    return burst === null && !warnings.some(({ kind }) => kind === "burst_not_checked")
-      ? [
-          ...warnings,
-          { kind: "burst_not_checked", message: "The strength of the braid is unknown." },
-        ]
-      : warnings;
+    return this.assessed?.warnings ?? [];
   }
 
   /** Asks what the engine says of it at its point. */
@@ -200,18 +195,10 @@ export class MuscleState {
    * @param {string} page @param {Record<string, string | undefined>} mine
    */
   linked(page, mine = this.params()) {
-    const own = wordsOf(page);
-    // Words of the muscle mean other things in a specification: it is one word there.
-    return address(page, page === "design" ? { ...own, m: this.word() } : { ...own, ...mine });
-  }
-  /**
-   * The muscle as one word, for pages where its words mean other things; empty for the prototype.
-   */
-  word() {
-    const params = this.params(),
-      plain =
-        !this.called && !params.u && JSON.stringify(this.state) === JSON.stringify(prototype());
-    return plain ? "" : query(params);
+    const word = query(mine),
+      // Words of the muscle mean other things in a specification: it is one word there.
+      m = word === query(words(prototype(), typed)) ? "" : word;
+    return address(page, { ...wordsOf(page), ...(page === "design" ? { m } : mine) });
   }
 
   /** Words of the address. */

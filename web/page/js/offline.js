@@ -3,7 +3,6 @@
 // asks for it: the first visit does not pay for it. The page of a server is not kept.
 import { engine } from "./ask.js";
 
-const PREFIX = "mckibben-page";
 /** So long after the first page, in milliseconds: its own questions come first. */
 const LATER = 2000;
 const isInstalled = () => matchMedia("(display-mode: standalone)").matches;
@@ -16,16 +15,13 @@ const saves = () =>
 /** The page of a server computes nothing without it. @returns {string[]} */
 const large = () => engine().files ?? [];
 
-/** What the worker keeps its files in, once it is installed. */
-async function shelf() {
-  const name = (await caches.keys()).find((key) => key.startsWith(PREFIX));
-  return name === undefined ? undefined : caches.open(name);
-}
+/** What the worker keeps its files in. */
+const shelf = () => caches.open("mckibben-page-1");
 
 /** What is not kept yet. */
 async function lacking() {
   const cache = await shelf(),
-    there = await Promise.all(large().map((file) => cache?.match(file)));
+    there = await Promise.all(large().map((file) => cache.match(file)));
   return large().filter((_, i) => !there[i]);
 }
 
@@ -36,16 +32,15 @@ const canKeep = () =>
   "caches" in window;
 /** Whether every page is kept; there is no answer where the browser keeps nothing. */
 export async function isKept() {
-  if (!canKeep() || !(await navigator.serviceWorker.getRegistration()))
-    throw new Error("This browser keeps no files.");
-  return !(await lacking()).length;
+  if (canKeep() && (await navigator.serviceWorker.getRegistration()))
+    return !(await lacking()).length;
 }
 
 /** Fetches and keeps what is not there yet. */
 export async function keepAll() {
   await navigator.serviceWorker.ready;
   const cache = await shelf();
-  for (const file of await lacking()) await cache?.add(file);
+  for (const file of await lacking()) await cache.add(file);
 }
 
 /** Begins when the first page is there. */

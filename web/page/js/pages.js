@@ -1,14 +1,11 @@
 // Places and their views: names, what each is for, and where the book says more.
 
-/**
- * Places, with a short name for a phone; the first view of a place has its name.
- * @type {[name: string, text: string, short: string][]}
- */
+/** Places; the first view of a place has its name. @type {[name: string, text: string][]} */
 export const PLACES = [
-  ["design", "Ask", "Ask"],
-  ["muscle", "Muscle", "Muscle"],
-  ["joint", "Joint & motion", "Joint"],
-  ["data", "Measure", "Measure"],
+  ["design", "Ask"],
+  ["muscle", "Muscle"],
+  ["joint", "Joint & motion"],
+  ["data", "Measure"],
 ];
 
 /** @typedef {{ name: string, place: string, text: string, about: string, help: string }} Page */

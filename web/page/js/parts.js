@@ -1,9 +1,8 @@
 // Parts that one can buy or cast: tubes, sleeves and rubbers; a button puts one into the muscle.
 import { answerTo } from "./ask.js";
 import { choice } from "./controls.js";
-import { block, button, capital, dialog, el, folded, problemBox, textField } from "./dom.js";
+import { block, button, capital, dialog, el, folded, problemBox, table, textField } from "./dom.js";
 import { problemOf } from "./engine/problem.js";
-import { table } from "./form.js";
 import { muscle, visit } from "./muscle.js";
 import { inWords, number, show, showLength, showPressure, showRatio } from "./units.js";
 
@@ -13,10 +12,7 @@ import { inWords, number, show, showLength, showPressure, showRatio } from "./un
  * What a part says of the muscle: keys of the state. @typedef {Record<string, number | string>}
  * Said
  */
-/**
- * A row: the name, cells, the diameters that a sleeve is for, and what it says of the muscle.
- * @typedef {{ name: string, cells: (string | Node)[], low?: number, high?: number, said: Said }} Row
- */
+/** A part, and its row of the table. @typedef {{ part: Parts[Kind][number], said: Said, cells: (string | Node)[] }} Row */
 
 const estimate = (/** @type {string} */ text) => el("span", { class: "estimated" }, text);
 /**
@@ -25,26 +21,26 @@ const estimate = (/** @type {string} */ text) => el("span", { class: "estimated"
  */
 const source = (source, note) => folded("Source", [source, note].filter(Boolean).join(" "));
 
-/** @type {{ [K in Kind]: { head: string[], text: number[], rows: (parts: Parts) => Row[] } }} */
+/**
+ * Headings, columns of text, and what a part says of the muscle with its cells.
+ * @type {{ [K in Kind]: { head: string[], text: number[], row: (part: Parts[K][number]) => [Said,
+ * ...(string | Node)[]] } }}
+ */
 const LISTS = {
   tubes: {
     head: ["tube", "", "inside", "outside", "wall", "rubber", "made", "price", "rated", "source"],
     text: [0, 5, 6, 7, 9],
-    rows: ({ tubes }) =>
-      tubes.map((t) => ({
-        name: t.name,
-        said: { D: t.outer_diameter_mm, s: Number(t.wall_mm.toPrecision(12)), rubber: t.rubber },
-        cells: [
-          showLength(t.inner_diameter_mm),
-          showLength(t.outer_diameter_mm),
-          showLength(t.wall_mm, 3),
-          t.rubber,
-          t.is_cast ? "cast" : "sold",
-          t.price ?? "–",
-          t.pressure_mpa ? showPressure(t.pressure_mpa, 3) : "–",
-          source(t.source, t.note),
-        ],
-      })),
+    row: (t) => [
+      { D: t.outer_diameter_mm, s: Number(t.wall_mm.toPrecision(12)), rubber: t.rubber },
+      showLength(t.inner_diameter_mm),
+      showLength(t.outer_diameter_mm),
+      showLength(t.wall_mm, 3),
+      t.rubber,
+      t.is_cast ? "cast" : "sold",
+      t.price ?? "–",
+      showPressure(t.pressure_mpa, 3),
+      source(t.source, t.note),
+    ],
   },
   sleeves: {
     head: [
@@ -59,38 +55,28 @@ const LISTS = {
       "source",
     ],
     text: [0, 2, 3, 7, 8],
-    rows: ({ sleeves }) =>
-      sleeves.map((s) => ({
-        name: s.name,
-        low: s.least_diameter_mm,
-        high: s.largest_diameter_mm,
-        said: { braid: s.name },
-        cells: [
-          s.title,
-          s.material,
-          `${showLength(s.least_diameter_mm, 3)} to ${showLength(s.largest_diameter_mm, 3)}`,
-          show("angle", s.least_angle_deg, 3),
-          s.strands ? String(s.strands) : estimate("estimated"),
-          s.missing || s.stiffness_factor ? estimate(estimated(s)) : "nothing",
-          source(s.source),
-        ],
-      })),
+    row: (s) => [
+      { braid: s.name },
+      s.title,
+      s.material,
+      `${showLength(s.least_diameter_mm, 3)} to ${showLength(s.largest_diameter_mm, 3)}`,
+      show("angle", s.least_angle_deg, 3),
+      s.strands ? String(s.strands) : estimate("estimated"),
+      s.missing || s.stiffness_factor ? estimate(estimated(s)) : "nothing",
+      source(s.source),
+    ],
   },
   rubbers: {
     head: ["rubber", "", "what it is", "law", "shear modulus", "breaks at", "source"],
     text: [0, 2, 3, 6],
-    rows: ({ rubbers }) =>
-      rubbers.map((r) => ({
-        name: r.name,
-        said: { rubber: r.name },
-        cells: [
-          r.title,
-          r.law,
-          show("modulus", r.shear_modulus_mpa, 3),
-          r.max_strain ? showRatio(r.max_strain, 3) : estimate("not measured"),
-          source(r.source),
-        ],
-      })),
+    row: (r) => [
+      { rubber: r.name },
+      r.title,
+      r.law,
+      show("modulus", r.shear_modulus_mpa, 3),
+      r.max_strain ? showRatio(r.max_strain, 3) : estimate("not measured"),
+      source(r.source),
+    ],
   },
 };
 
@@ -102,37 +88,31 @@ const KINDS = LISTED.map((kind) => /** @type {[string, string]} */ ([kind, capit
  * @param {{ missing: string, stiffness_factor?: number | null }} s
  */
 function estimated({ missing, stiffness_factor: factor }) {
-  const what = missing
-    .split(" ")
-    .filter(Boolean)
-    .map((word) => inWords(`\`${word}\``))
-    .join(", ");
+  const what = missing.split(" ").flatMap((word) => (word ? inWords(`\`${word}\``) : []));
   return capital(
-    [what, factor ? `stiffness within a factor of ${number(factor, 2)}` : ""]
-      .filter(Boolean)
-      .join("; "),
+    [...what, ...(factor ? [`stiffness within a factor of ${number(factor, 2)}`] : [])].join(", "),
   );
 }
 
 /** Whether all words occur. @param {Row} row @param {string} find */
-function fitsFilter({ name, cells }, find) {
-  const text = [name, ...cells.map((cell) => (typeof cell === "string" ? cell : cell.textContent))];
+function fitsFilter({ part, cells }, find) {
+  const text = [part.name, ...cells.map((c) => (typeof c === "string" ? c : c.textContent))];
   return find
     .toLowerCase()
     .split(/[\s,]+/)
     .every((word) => text.join(" ").toLowerCase().includes(word));
 }
 
-/** Whether a sleeve can have the diameter of the muscle. @param {Row} row */
-function isFor({ low = 0, high = Infinity }) {
+/** Whether a sleeve can have the diameter of the muscle. @param {Parts["sleeves"][number]} sleeve */
+function isFor({ least_diameter_mm: low, largest_diameter_mm: high }) {
   const d = muscle.shown?.outer_diameter_mm ?? low;
   return d >= low - 1e-9 && d <= high + 1e-9;
 }
 
-/** A part in the muscle, where it can be there; else why not. @param {Row} row */
-async function putInto(row) {
+/** A part in the muscle, where it can be there; else why not. @param {Said} said */
+async function putInto(said) {
   const before = muscle.state;
-  for (const [key, value] of Object.entries(row.said)) muscle.set(key, value);
+  for (const [key, value] of Object.entries(said)) muscle.set(key, value);
   try {
     await muscle.look();
     return "";
@@ -143,16 +123,9 @@ async function putInto(row) {
   }
 }
 
-/** @param {string} id @param {string} text @param {() => void} changed */
-function check(id, text, changed) {
-  const box = el("input", { type: "checkbox", id, onchange: changed });
-  return { box, row: el("label", { for: id }, box, ` ${text}`) };
-}
-
-/** Which list is shown, and what is looked for: as it was left. */
-const wanted = { kind: "tubes", find: "" };
-/** @type {Promise<Parts> | undefined} */ let asked;
-/** All parts, once. */
+/** The list that is shown, as it was left. */
+/** @type {Kind} */ let shown = "tubes";
+/** All parts. */
 async function allParts() {
   const ask = (/** @type {Kind} */ kind) => answerTo("parts-list", { kind }),
     [tubes, { sleeves }, { rubbers }] = await Promise.all(LISTED.map(ask));
@@ -162,73 +135,61 @@ async function allParts() {
 /** Parts in a window over the page. */
 export function partsDialog() {
   const kind = choice("Show", KINDS, (name) => {
-    wanted.kind = name;
+    shown = /** @type {Kind} */ (name);
     paint();
   });
-  kind.set(wanted.kind);
+  kind.set(shown);
   const find = textField({
     id: "parts-find",
-    placeholder: "latex, silicone, 10 mm",
-    value: wanted.find,
-    oninput: () => {
-      wanted.find = find.value.trim();
-      paint();
-    },
+    placeholder: "latex, sold, 10 mm",
+    oninput: () => paint(),
   });
-  const fits = check("parts-fits", "fits the muscle's diameter", () => paint()),
-    sold = check("parts-sold", "sold only", () => paint());
+  const fits = el("input", { type: "checkbox", id: "parts-fits", onchange: () => paint() }),
+    fitting = el("label", { for: fits.id }, fits, " fits the muscle's diameter");
   const list = block("parts-list"),
     count = el("p", { class: "small soft", role: "status" }),
     filter = el("label", { for: "parts-find" }, "Filter");
-  const fail = (/** @type {unknown} */ problem) => list.replaceChildren(problemBox(problem));
   /** @type {Parts | undefined} */ let parts;
 
   const matches = (/** @type {Row} */ row) =>
-    fitsFilter(row, wanted.find) &&
-    (!fits.box.checked || isFor(row)) &&
-    !(sold.box.checked && wanted.kind === "tubes" && row.cells.includes("cast"));
+    fitsFilter(row, find.value.trim()) &&
+    !("material" in row.part && fits.checked && !isFor(row.part));
 
   function paint() {
-    sold.row.hidden = wanted.kind !== "tubes";
-    fits.row.hidden = wanted.kind !== "sleeves";
+    fitting.hidden = shown !== "sleeves";
     if (!parts) return;
-    const { head, text, rows } = LISTS[/** @type {Kind} */ (wanted.kind)],
-      all = rows(parts),
-      shown = all.filter(matches);
-    count.textContent = `${shown.length} of ${all.length} ${wanted.kind}. Values missing from data sheets are marked "estimated".`;
-    const use = `Use this ${wanted.kind.slice(0, -1)}`;
-    const put = (/** @type {Row} */ row) =>
-      button(use, () => take(row), { ariaLabel: `${use}: ${row.name}` });
-    const cells = shown.map((row) => [row.name, put(row), ...row.cells]);
-    list.replaceChildren(table(head, cells, { text, label: wanted.kind }));
+    const { head, text, row } = LISTS[shown],
+      all = parts[shown].map((part) => {
+        const [said, ...cells] = /** @type {(part: any) => ReturnType<typeof row>} */ (row)(part);
+        return /** @type {Row} */ ({ part, said, cells });
+      }),
+      some = all.filter(matches);
+    count.textContent = `${some.length} of ${all.length} ${shown}. Values missing from data sheets are marked "estimated".`;
+    const use = `Use this ${shown.slice(0, -1)}`;
+    const cells = some.map(({ part: { name }, said, cells }) => [
+      name,
+      button(use, () => take(name, said), { ariaLabel: `${use}: ${name}` }),
+      ...cells,
+    ]);
+    list.replaceChildren(table(head, cells, { text, label: shown }));
   }
 
-  /** @param {Row} row */
-  async function take(row) {
-    const problem = await putInto(row);
+  /** @param {string} name @param {Said} said */
+  async function take(name, said) {
+    const problem = await putInto(said);
     count.textContent = problem
-      ? `${row.name} does not go into this muscle: ${problem}`
-      : `${row.name} is in the muscle now.`;
+      ? `${name} does not go into this muscle: ${problem}`
+      : `${name} is in the muscle now.`;
     if (!problem) visit(document.body.dataset.page ?? "muscle", {});
   }
 
-  const line = block(
-    "parts-filter",
-    kind.element,
-    block("choice", filter, find),
-    fits.row,
-    sold.row,
-  );
+  const line = block("parts-filter", kind.element, block("choice", filter, find), fitting);
   dialog("Parts", () => [line, count, list]);
-  asked ??= allParts();
-  asked.then(
+  allParts().then(
     (found) => {
       parts = found;
       paint();
     },
-    (problem) => {
-      asked = undefined;
-      fail(problem);
-    },
+    (problem) => list.replaceChildren(problemBox(problem)),
   );
 }

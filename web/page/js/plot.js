@@ -202,6 +202,7 @@ export function drawing(spec, at, colours, file = false) {
       "font-family": "system-ui, sans-serif",
       "font-size": FONT,
       fill: colours.ink,
+      color: colours.ink,
       "aria-hidden": file ? undefined : "true",
     },
     file ? svg("rect", { width, height, fill: colours.paper }) : "",
@@ -241,7 +242,7 @@ function axes(spec, { left, top, w, h, along, across, px, py }, { line, faint })
  * @param {Series} s @param {(i: number) => boolean} [has]
  */
 function runs(s, has = () => true) {
-  const out = /** @type {number[][]} */ ([[]]);
+  /** @type {number[][]} */ const out = [[]];
   s.x.forEach((x, i) => {
     if (finite(x) && finite(s.y[i]) && has(i)) out[out.length - 1].push(i);
     else if (out[out.length - 1].length) out.push([]);
@@ -353,8 +354,8 @@ const FINE = 4;
  */
 export function smoothed(s) {
   if (!s.smooth || s.low) return s;
-  const x = /** @type {number[]} */ ([]),
-    y = /** @type {(number | null)[]} */ ([]);
+  /** @type {number[]} */ const x = [],
+    /** @type {(number | null)[]} */ y = [];
   for (const run of runs(s)) {
     const [u, v] = [run.map((i) => s.x[i]), run.map((i) => Number(s.y[i]))],
       m = slopes(u, v);

@@ -7,10 +7,9 @@ import { SCRIPTS } from "./place.js";
  * list).
  */
 const MODULES = ["body.js", "dom.js", "life.js", "shaders.js", "view3d.js", "report-viewer.js"];
-/** @type {Promise<string> | undefined} */ let viewer;
 
 /** The modules as one script without imports. */
-function script() {
+async function script() {
   const load = async (/** @type {string} */ name) => {
     const answer = await fetch(new URL(`../js/${name}`, SCRIPTS));
     if (!answer.ok) throw new Error(`${name} cannot be loaded (${answer.status}).`);
@@ -20,11 +19,7 @@ function script() {
       .filter((line) => !line.startsWith("import "))
       .join("\n");
   };
-  viewer ??= Promise.all(MODULES.map(load)).then((all) => all.join("\n").replaceAll("</", "<\\/"));
-  viewer.catch(() => {
-    viewer = undefined;
-  });
-  return viewer;
+  return (await Promise.all(MODULES.map(load))).join("\n").replaceAll("</", "<\\/");
 }
 
 /** @param {string} html as the engine has it: its script is empty */

@@ -32,14 +32,13 @@ const STRAND_DIAMETER = {
   high: 1,
 };
 /** Measures of the muscle, as the program lists them. */
-export let MEASURES = /** @type {Measure[]} */ ([]);
+/** @type {Measure[]} */ export let MEASURES = [];
 /**
- * The usual ones; of the strands of a named sleeve, where its source does not state them; what the
- * ends of the muscle do; all others.
+ * The usual ones; of the strands of a named sleeve, where its source does not state them; all
+ * others.
  */
 export let QUANTITIES = MEASURES,
   STRANDS = MEASURES,
-  ENDS = MEASURES,
   MORE = MEASURES;
 export let STIFFNESS = STRAND_DIAMETER;
 
@@ -48,9 +47,8 @@ export function takeMeasures({ measures }) {
   MEASURES = measures.flatMap(
     ({ key, group, field, label, quantity, unit, default: usual, ...rest }) => {
       if (!field) return [];
-      const kind = /** @type {Kind} */ (
-        /modul/.test(key) && quantity === "pressure" ? "modulus" : (quantity ?? "number")
-      );
+      /** @type {Kind} */ const kind =
+        /modul/.test(key) && quantity === "pressure" ? "modulus" : (quantity ?? "number");
       const found = /** @type {Measure} */ ({
         ...rest,
         ...OWN[field],
@@ -70,9 +68,8 @@ export function takeMeasures({ measures }) {
     keys.flatMap((key) => MEASURES.filter((m) => m.key === key));
   QUANTITIES = of(["D", "s", "L", "angle"]);
   STRANDS = of(["sd", "sE"]);
-  ENDS = of(["seating", "slip", "grip"]);
   [STIFFNESS] = of(["k"]);
-  MORE = MEASURES.filter((m) => ![...QUANTITIES, ...ENDS, STIFFNESS].includes(m));
+  MORE = MEASURES.filter((m) => ![...QUANTITIES, STIFFNESS].includes(m));
 }
 export const PRESSURE = /** @type {const} @satisfies {Measure} */ ({
   key: "p",
@@ -187,12 +184,10 @@ export function fields({ file, said }, pressure = 0.1) {
  * @param {{ field: string, message: string }} problem
  */
 export function about({ field, message }) {
-  const at = (/** @type {Measure} */ { filed }) => (filed ? message.indexOf(filed) : -1);
-  // One key may begin with another.
-  const named = MEASURES.filter((m) => at(m) >= 0).sort(
-    (a, b) => at(a) - at(b) || (b.filed ?? "").length - (a.filed ?? "").length,
-  );
-  return (measured().find((m) => m.field === field) ?? named[0])?.key;
+  const named = [field, ...(message.match(/[a-z]+\.\w+/g) ?? [])];
+  return named.flatMap(
+    (name) => measured().find((m) => m.field === name || m.filed === name) ?? [],
+  )[0]?.key;
 }
 
 /** Where it is asked. @param {State} state */

@@ -26,7 +26,7 @@ function nameOf(before, now) {
 /** The muscle as it is now becomes a step, where it is another one. */
 export function record() {
   const { u, ...all } = muscle.params(),
-    words = /** @type {Words} */ (JSON.parse(JSON.stringify(all))),
+    /** @type {Words} */ words = JSON.parse(JSON.stringify(all)),
     { list, at } = kept(),
     before = list[at]?.words;
   if (before && JSON.stringify(before) === JSON.stringify(words)) return;

@@ -18,7 +18,7 @@ export const card = (act, picture, title, about) =>
 
 /**
  * Lengths by their logarithms, so that a muscle of 2 mm and one of 80 mm can both be seen.
- * @param {MuscleMeasures | undefined} of nothing leaves it empty
+ * @param {Omit<MuscleMeasures, "wall_mm"> | undefined} of nothing leaves it empty
  */
 export function thumbnail(of) {
   const { outer_diameter_mm: D, length_mm: L, angle_deg: angle } = of ?? {},

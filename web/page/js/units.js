@@ -51,8 +51,9 @@ export const expectation = (kind) => bareIn(kinds.get(kind)?.expectation ?? "", 
 /** With what a number alone means on the page. @param {string} text @param {string} kind */
 export const bareIn = (text, kind) =>
   text.replace(/\(a bare number is [^)]*\)$/, () => `(a number alone is in ${unitName(kind)})`);
-/** The unit inside. @param {string} kind */
-const baseUnit = (kind) => kinds.get(kind)?.units.find((u) => u.multiply === u.divide)?.name ?? "";
+/** The unit inside; what is no kind is a unit itself. @param {string} kind */
+const baseUnit = (kind) =>
+  kinds.get(kind)?.units.find((u) => u.multiply === u.divide)?.name ?? kind;
 /** The kind of quantities that have a unit inside. @param {string} unit */
 const kindInside = (unit) => [...kinds.keys()].find((kind) => baseUnit(kind) === unit);
 /** As the engine writes it. @param {string} kind */
@@ -291,9 +292,11 @@ const LABELS = {
   friction_share: "friction of the usual one",
   force_offset: "zero of the load cell",
 };
-/** A field without its unit. @param {string} field */
+/** A field without its unit; a key of files as it is. @param {string} field */
 const plain = (field) =>
-  field.replace(/_(mm|mpa|n|nm|deg|s|nm_per_rad|n_s_per_m)$/, "").replaceAll("_", " ");
+  field.includes(".")
+    ? field
+    : field.replace(/_(mm|mpa|n|nm|deg|s|nm_per_rad|n_s_per_m)$/, "").replaceAll("_", " ");
 
 /** Names of measures, by field, key and key in its table. @param {readonly Measure[]} measures */
 export function learn(measures) {
@@ -326,11 +329,9 @@ export const inWords = (text) =>
     // What a heading in Table says.
     .replace(/(, or|; a minus)(?:(?!, or).)*`columns`[^(]*(\(:[^)]*\))?/, "")
     .replace(/select one with `columns`.*/, "rename the others in Table")
-    .replace(/`parts list (\w+)`/, "Parts & library ($1)")
+    .replace(/`parts list (\w+)`/, "Parts ($1)")
     .replace("BURST NOT CHECKED", "burst pressure not known")
     .replace(/(\d) deg\b/g, "$1°")
-    .replace("gauge_length=25mm", "gauge length 25 mm")
-    .replace("area=8mm2", "area 8 mm²")
     .split("`")
     .map((part, i) => (i % 2 ? (LABELS[part] ?? plain(part)) : part.replace(/\w[\w.]*\w/g, worded)))
     .join("")

@@ -54,7 +54,7 @@ const shares = (half) => Array.from({ length: 2 * half + 1 }, (_, i) => i / half
 
 /** @param {WebGL2RenderingContext} gl @param {string} vertex */
 function program(gl, vertex) {
-  const made = /** @type {WebGLProgram} */ (gl.createProgram());
+  /** @type {WebGLProgram} */ const made = gl.createProgram();
   for (const [kind, source] of /** @type {[number, string][]} */ ([
     [gl.VERTEX_SHADER, vertex],
     [gl.FRAGMENT_SHADER, FRAGMENT],
@@ -81,7 +81,7 @@ function fill(gl, texture, width, height, texels) {
 }
 
 /** A texture whose texels are read as they are. @param {WebGL2RenderingContext} gl */
-function table(gl) {
+function lookup(gl) {
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
   for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
@@ -235,8 +235,8 @@ export function viewOf(stage, { contract, drawn } = {}) {
     if (!gl) return;
     painter = program(gl, SURFACE);
     places = {};
-    texture = table(gl);
-    plugTexture = table(gl);
+    texture = lookup(gl);
+    plugTexture = lookup(gl);
     gl.enable(gl.DEPTH_TEST);
     pieces = new Map();
   }
@@ -464,14 +464,12 @@ export function viewOf(stage, { contract, drawn } = {}) {
   }
 
   /**
-   * Where a point of the muscle is seen, in pixels of the stage: along its axis from its middle,
-   * up, and to the front.
-   * @param {number} x @param {number} y @param {number} z
+   * Where a point of the axis is seen, in pixels of the stage. @param {number} x from its middle
    */
-  function project(x, y, z) {
+  function project(x) {
     const m = matrix;
     if (!m[15]) return [0, 0];
-    const at = (/** @type {number} */ r) => m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r];
+    const at = (/** @type {number} */ r) => m[r] * x + m[12 + r];
     return [0.5 * (1 + at(0)) * width, 0.5 * (1 - at(1)) * height];
   }
 

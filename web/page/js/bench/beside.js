@@ -4,21 +4,12 @@ import { query } from "../address.js";
 import { answerTo } from "../ask.js";
 import { KINDS, isobars } from "../chart.js";
 import { choice } from "../controls.js";
-import { block, button, capital } from "../dom.js";
-import { table } from "../form.js";
+import { block, button, capital, table } from "../dom.js";
 import { fileOf } from "../kept.js";
-import { rested } from "../life.js";
 import { MuscleState, muscle } from "../muscle.js";
-import {
-  asBuilt,
-  number,
-  show,
-  showForce,
-  showLength,
-  showPressure,
-  unitsInAddress,
-} from "../units.js";
-import { signal, watch } from "../watch.js";
+import { asBuilt, show, showForce, showPressure, unitsInAddress } from "../units.js";
+import { rested, signal, watch } from "../watch.js";
+import { RESULTS } from "./sweep.js";
 
 /** @typedef {Commands["force"]["answer"]} Answer */
 /** @typedef {{ name: string, point?: Answer, curve?: CurveAnswer }} Other */
@@ -35,19 +26,19 @@ const MODELS = [
 const ROWS = [
   ["pull of the model", (x) => (x.slack ? "slack" : showForce(x.force_n))],
   ["as built", asBuilt],
-  ["stiffness", (x) => show("stiffness", x.stiffness_n_per_mm, 3)],
-  ["bulged diameter", (x) => showLength(x.bulged_diameter_mm)],
-  ["cavity", (x) => (x.volume_mm3 ? show("volume", x.volume_mm3, 3) : "–")],
   ["threshold pressure", (x) => showPressure(x.start_pressure_mpa, 3)],
-  ["largest stretch", (x) => number(x.max_stretch, 3)],
+  ...RESULTS.slice(1).map(
+    ({ label, kind, of }) =>
+      /** @type {typeof ROWS[number]} */ ([label, (x) => show(kind, Number(x[of]), 3)]),
+  ),
 ];
 /** After a change it waits so long, in milliseconds. */
 const REST = 150;
 
 /** @param {Store} store */
 export function besideView(store) {
-  const held = signal(/** @type {MuscleState | undefined} */ (undefined)),
-    others = signal(/** @type {Other[]} */ ([])),
+  /** @type {Signal<MuscleState | undefined>} */ const held = signal(),
+    /** @type {Signal<Other[]>} */ others = signal([]),
     formula = fileOf("formula");
   let word = "",
     turn = 0;
@@ -109,7 +100,7 @@ export function besideView(store) {
 
   watch(() => {
     const list = others.value,
-      now = /** @type {Answer | undefined} */ (muscle.assessed),
+      /** @type {Answer | undefined} */ now = muscle.assessed,
       points = [now, ...list.map(({ point }) => point)];
     const rows = ROWS.map(([name, of]) => [capital(name), ...points.map((x) => (x ? of(x) : "–"))]);
     const head = ["", "now", ...list.map(({ name }) => name)];

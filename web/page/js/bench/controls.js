@@ -1,12 +1,10 @@
-// The controls of the page Muscle: its state, its measures, its ends.
+// The controls of the page Muscle: its state and its measures.
 import { answerTo } from "../ask.js";
 import { choice, quantity } from "../controls.js";
-import { block, capital, el, folded } from "../dom.js";
-import { inputs } from "../form.js";
+import { block, capital, el, folded, inputs } from "../dom.js";
 import { muscle } from "../muscle.js";
 import {
   CONTRACTION,
-  ENDS,
   LOAD,
   MORE,
   PRESSURE,
@@ -18,23 +16,18 @@ import {
 import { braidName, niceUp, partName } from "../units.js";
 import { watch } from "../watch.js";
 
-/** Tables of the muscle file as the page calls them. @type {Record<string, string>} */
-const GROUPS = { tube: "Tube", braid: "Braid", terminals: "Ends", friction: "Friction" };
-const ORDER = Object.keys(GROUPS);
-
 /** @param {Store} store */
 export function controlsView(store) {
-  const controls = /** @type {Record<string, ReturnType<typeof quantity>>} */ ({});
+  /** @type {Record<string, ReturnType<typeof quantity>>} */ const controls = {};
   const make = (/** @type {Measure} */ spec) => {
-    const change = (/** @type {number | undefined} */ value, /** @type {boolean} */ settled) =>
-      store.changed(spec.key, value, settled);
-    controls[spec.key] = quantity({
+    const { key, group } = spec;
+    controls[key] = quantity({
       ...spec,
-      value: muscle.value(spec.key),
-      clears: Boolean(spec.group),
-      change,
+      value: muscle.value(key),
+      clears: Boolean(group),
+      change: (value, settled) => store.changed(key, value, settled),
     });
-    return controls[spec.key].element;
+    return controls[key].element;
   };
   const picks = choices(store);
   const element = section(make, picks);
@@ -53,7 +46,7 @@ export function controlsView(store) {
       said[key] !== undefined ||
       muscle.wrong.has(key) ||
       (file && key !== "density_kg_per_m3" && muscle.value(key) !== undefined);
-    [...ENDS, ...MORE].filter(({ key }) => stated(key)).forEach(({ key }) => reveal(key));
+    MORE.filter(({ key }) => stated(key)).forEach(({ key }) => reveal(key));
   }
   watch(() => {
     sync(controls, picks);
@@ -122,7 +115,6 @@ function section(make, { rubber, braid, strands, held, branch }) {
     "Muscle",
     el("fieldset", { class: "state" }, el("legend", "State"), ...state),
     el("fieldset", el("legend", "Tube and braid"), ...tube),
-    folded("Ends", ...ENDS.map(make)),
     moreMeasures(make),
   );
 }
@@ -131,12 +123,12 @@ function section(make, { rubber, braid, strands, held, branch }) {
 function choices(store) {
   const stiffness = () => Math.round(store.facts.value.stiffness_n_per_mm ?? 300);
   const load = () => Math.max(1, Math.round(store.point.value?.force_n ?? 100));
-  const names = /** @type {[string, string][]} */ ([
+  /** @type {[string, string][]} */ const names = [
     ["", ""],
     ["inextensible", "inextensible"],
     ["paper", "braid (Antonelli 2018)"],
     ["k", "Custom stiffness"],
-  ]);
+  ];
   const put = (/** @type {string} */ key) => (/** @type {string} */ name) =>
     store.changed(key, name, true);
   return {
@@ -171,13 +163,11 @@ function choices(store) {
  * @param {(spec: Measure) => HTMLElement} make
  */
 function moreMeasures(make) {
-  const groups = [...new Set(MORE.map(({ group = "" }) => group))].sort(
-    (a, b) => ORDER.indexOf(a) - ORDER.indexOf(b),
-  );
+  const groups = [...new Set(MORE.map(({ group = "" }) => group))];
   const box = (/** @type {string} */ group) =>
     el(
       "fieldset",
-      el("legend", GROUPS[group] ?? capital(group)),
+      el("legend", capital(group)),
       ...MORE.filter((m) => m.group === group).map((m) => block("", make(m))),
     );
   return folded("More properties", ...groups.map(box));
@@ -200,7 +190,7 @@ function sync(controls, { rubber, braid, strands, held, branch }) {
   if (said.braid === undefined) braid.first(shown?.sleeve ?? "Custom angle");
   if (said.k === undefined)
     strands.first(
-      said.braid
+      (said.braid ?? shown?.sleeve)
         ? "of the sleeve"
         : ofStrands
           ? "of its strands"

@@ -3,31 +3,27 @@
 import { Slot } from "../ask.js";
 import { chartOf } from "../chart.js";
 import { tabs } from "../dom.js";
-import { rested } from "../life.js";
 import { muscle } from "../muscle.js";
 import { forceAxis, outside, ratioAxis, unitName } from "../units.js";
-import { signal, untracked, watch } from "../watch.js";
+import { rested, signal, untracked, watch } from "../watch.js";
 import { allowedOf, along, familyOf, familySeries, ownOf, ownSeries, permitted } from "./family.js";
 import { pointsView } from "./points.js";
 import { sweepView } from "./sweep.js";
 
-const TESTS = /** @type {[string, string][]} */ ([
+/** @type {[string, string][]} */ const TESTS = [
   ["isobaric", "Isobaric"],
   ["isometric", "Isometric"],
   ["isotonic", "Isotonic"],
   ["along", "Along the muscle"],
   ["sweep", "Sweep"],
-]);
+];
 /** @typedef {{ test: string, top: number, family: CurveAnswer, own?: CurveAnswer }} Curves */
 
 /** @param {Store} store @param {() => Series[]} beside curves that lie over the isobars */
 export function curvesView(store, beside) {
   const slot = () => new Slot({ lane: "curves" }),
     slots = { family: slot(), own: slot() };
-  const curves = signal(/** @type {Curves | undefined} */ (undefined));
-  /** Answers by what was asked: along a family only the mark and the own curve move. */
-  const none = { key: "", answer: /** @type {CurveAnswer | undefined} */ (undefined) },
-    known = { family: none, own: none };
+  /** @type {Signal<Curves | undefined>} */ const curves = signal();
   /** Questions, and when the hand that moves gets curves again. */
   let turn = 0,
     due = 0;
@@ -56,33 +52,19 @@ export function curvesView(store, beside) {
     const { request, top } = familyOf(store, points.pressures()),
       of = { test: /** @type {"isobaric"} */ (test), muscle: muscle.fields() };
     due = Infinity;
-    const done = () => {
-      const { family, own } = known;
-      if (family.answer) curves.value = { test, top, family: family.answer, own: own.answer };
-      if (mine !== turn) return;
-      const now = performance.now();
-      due = now + 7 * (now - began);
-    };
-    const both = typeof muscle.shown?.friction_coefficient === "number" || undefined;
+    const both = typeof muscle.shown?.friction_coefficient === "number" || undefined,
+      through = { ...of, ...ownOf(store, top), both };
     // Both are drawn at once.
-    once("family", { ...of, ...request }, () =>
-      mine === turn ? once("own", { ...of, ...ownOf(store, top), both }, done) : done(),
-    );
-  }
-
-  /**
-   * Asks what was not asked yet.
-   * @param {"family" | "own"} what @param {Commands["curve"]["request"]} asked
-   * @param {() => void} next
-   */
-  function once(what, asked, next) {
-    const key = JSON.stringify(asked);
-    if (key === known[what].key) return next();
-    const take = (/** @type {CurveAnswer | undefined} */ answer) => {
-      known[what] = { key: answer ? key : "", answer };
-      next();
-    };
-    slots[what].ask("curve", asked, take, () => take(undefined));
+    slots.family.ask("curve", { ...of, ...request }, (family) => {
+      const done = (/** @type {CurveAnswer | undefined} */ own) => {
+        curves.value = { test, top, family, own };
+        if (mine !== turn) return;
+        const now = performance.now();
+        due = now + 7 * (now - began);
+      };
+      if (mine !== turn) return done(curves.peek()?.own);
+      slots.own.ask("curve", through, done, () => done(undefined));
+    });
   }
 
   const soon = rested(ask, 100);

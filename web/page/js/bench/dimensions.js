@@ -31,7 +31,7 @@ export function dimensions(stage, store, view) {
 function drawing(view, { length_mm: now, bulged_diameter_mm: wide }) {
   const { restLength: length, restRadius: radius } = view.show,
     pixels = (/** @type {number} */ mm) => mm / view.millimetresPerPixel;
-  const place = (/** @type {number} */ x) => /** @type {Place} */ (view.project(x, 0, 0));
+  const place = (/** @type {number} */ x) => /** @type {Place} */ (view.project(x));
   const [left, end, rest] = [-now / 2, now / 2, length - now / 2].map(place);
   const [dx, dy] = [rest[0] - left[0], rest[1] - left[1]],
     long = Math.sign(dx || 1) * (Math.hypot(dx, dy) || 1);

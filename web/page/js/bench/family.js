@@ -1,5 +1,5 @@
 // Families of curves of the page Muscle: what is asked for them, and their answers as series.
-import { KINDS, builtAt, isobar, isobars, pressureColour, shade, withBuilt } from "../chart.js";
+import { KINDS, builtAt, isobar, isobars, shade, withBuilt } from "../chart.js";
 import { muscle } from "../muscle.js";
 import { evenly, inside, niceUp, outside, show, unitName } from "../units.js";
 
@@ -129,7 +129,7 @@ export function familySeries(answer, test, top, own, most) {
     )
       return [];
     const name = named(fixed, test),
-      colour = test === "isobaric" ? pressureColour(fixed, top) : shade(i / answer.fixed.length);
+      colour = shade(test === "isobaric" ? fixed / top : i / answer.fixed.length);
     return [
       /** @type {Series} */ ({
         name,
@@ -149,7 +149,7 @@ export function familySeries(answer, test, top, own, most) {
  */
 export function ownSeries(answer, test, top) {
   const name = named(answer.fixed[0], test),
-    colour = test === "isobaric" ? pressureColour(answer.fixed[0], top) : "#0072B2";
+    colour = test === "isobaric" ? shade(answer.fixed[0] / top) : "#0072B2";
   const of = (/** @type {Point} */ q) => ("force_n" in q ? q.direction : undefined);
   const branches = [...new Set(answer.points.map(of))];
   return branches.flatMap((branch, i) => {

@@ -20,7 +20,6 @@ import { solveView, tornadoView } from "./what-if.js";
 
 /** @param {Store} store */
 export function numbersView(store) {
-  const element = el("section", { class: "numbers", ariaLabel: "Numbers" });
   const notes = el("ul", { class: "warnings" });
   const parts = partsView(store),
     tornado = tornadoView(store),
@@ -39,25 +38,26 @@ export function numbersView(store) {
     "As built: median and 95 % of muscles like this one. Model: finite elements (fe), mean of both " +
       "ways. Take-up: the way that the sleeve gives before it bears.",
   );
+  const element = el(
+    "section",
+    { class: "numbers", ariaLabel: "Numbers", hidden: true },
+    el("dl", el("dt", "Pull as built"), el("dd", { class: "head" }, built)),
+    parts.element,
+    list,
+    notes,
+    solve.element,
+    tornado.element,
+    remarks,
+  );
   watch(() => {
     const point = store.point.value;
     if (!point) return;
+    element.hidden = false;
     built.textContent = asBuilt(point);
     list.replaceChildren(
       ...termsOf(rows(store.facts.value, point).filter(([, text]) => text !== "–")),
     );
     notes.replaceChildren(...warned(point).map((w) => el("li", w)));
-    if (element.hasChildNodes()) return;
-    const head = [el("dt", "Pull as built"), el("dd", { class: "head" }, built)];
-    element.append(
-      el("dl", ...head),
-      parts.element,
-      list,
-      notes,
-      solve.element,
-      tornado.element,
-      remarks,
-    );
   });
   return { element };
 }
@@ -91,11 +91,8 @@ function rows(facts, point) {
     ["Free contraction", showRatio(c?.free_contraction, 3)],
     ["Least burst pressure", burst ? showPressure(burst, 3) : "unknown"],
     ["Allowed pressure", showPressure(c?.allowed_pressure_mpa, 3)],
-    ["Work over the full stroke", c?.work_j ? `${number(c.work_j, 3)} J` : "–"],
-    [
-      "Air over the full stroke",
-      c?.air_normal_litres ? `${number(c.air_normal_litres, 3)} normal L` : "–",
-    ],
+    ["Work over the full stroke", show("J", c?.work_j, 3)],
+    ["Air over the full stroke", show("normal L", c?.air_normal_litres, 3)],
   ];
 }
 
@@ -115,6 +112,7 @@ function warned(point) {
 const PARTS = {
   pull_factor: "muscle to muscle",
   take_up: "take-up",
+  beyond_measured: "beyond measured muscles (judgement)",
   braid: "stiffness of the braid",
   fit: "own points",
   measured: "model against tests",
@@ -140,19 +138,17 @@ function partsView(store) {
       "95 % half-widths; they add as squares.",
       words?.bench && `To measure: ${words.bench}.`,
     ].filter(Boolean);
-    const most = Math.max(...parts.map(([, value]) => value));
-    list.replaceChildren(...parts.flatMap(([name, value]) => row(name, value, most)));
+    list.replaceChildren(...parts.flatMap(([name, value]) => row(name, value, parts[0][1])));
     note.textContent = inWords(said.join(" "));
   });
   return { element };
 }
 
-/** @param {string} name @param {number} value @param {number} most */
-function row(name, value, most) {
-  const bar = el("i", { style: `width:${Math.max(1, (100 * value) / most).toFixed(1)}%` });
+/** @param {string} name @param {number} value @param {number} max */
+function row(name, value, max) {
   return [
     el("dt", PARTS[name] ?? name),
     el("dd", `± ${showForce(value, 2)}`),
-    el("dd", { class: "wide" }, bar),
+    el("dd", { class: "wide" }, el("progress", { max, value, ariaHidden: "true" })),
   ];
 }

@@ -1,13 +1,12 @@
 // Measured points over the isobars, with their residuals against the muscle as it is now.
 import { Slot } from "../ask.js";
-import { pressureColour } from "../chart.js";
+import { shade } from "../chart.js";
 import { block, button, el, problemBox } from "../dom.js";
-import { rested } from "../life.js";
 import { muscle } from "../muscle.js";
 import { evenly, outside, showForce, showPressure } from "../units.js";
 import { MOVES } from "./family.js";
 import { measured } from "../kept.js";
-import { signal, watch } from "../watch.js";
+import { rested, signal, watch } from "../watch.js";
 
 /** Isobars of more pressures than these would cover each other. */
 const MOST = 7;
@@ -18,7 +17,7 @@ const REST = 250;
 /** @param {Store} store */
 export function pointsView(store) {
   const slot = new Slot(),
-    found = signal(/** @type {Commands["identify"]["answer"] | undefined} */ (undefined));
+    /** @type {Signal<Commands["identify"]["answer"] | undefined>} */ found = signal();
   const words = el("span"),
     said = block();
   // The shear modulus that fits them best becomes the muscle's.
@@ -88,7 +87,7 @@ export function pointSeries(list, top) {
         legend: first ? "" : `measured${way}`,
         mode: "markers",
         glyph,
-        colour: pressureColour(p, top),
+        colour: shade(p / top),
         x: at.map((q) => 100 * q.contraction),
         y: at.map((q) => outside("force", q.force_n)),
       };

@@ -6,9 +6,10 @@ import {
   asBuilt,
   clamp,
   evenly,
+  inside,
   modelPull,
   niceUp,
-  number,
+  outside,
   show,
   showLength,
   showPressure,
@@ -20,15 +21,15 @@ import { dimensions } from "./dimensions.js";
 import { MOVES } from "./family.js";
 
 /** What colours the muscle: field, name, kind of its unit. */
-const SHOWN = /** @type {[string, string, string][]} */ ([
-  ["max_stretch", "Largest stretch", ""],
-  ["hoop_stretch", "Hoop stretch", ""],
+/** @type {[string, string, string][]} */ const SHOWN = [
+  ["max_stretch", "Largest stretch", "number"],
+  ["hoop_stretch", "Hoop stretch", "number"],
   ["stress_hoop_mpa", "Hoop stress", "pressure"],
   ["stress_axial_mpa", "Axial stress", "pressure"],
   ["strand_tension_n_per_mm", "Tension of the strands per width", "N/mm"],
   ["strand_tension_n", "Tension of a strand", "force"],
   ["strand_angle_deg", "Angle of the strands", "angle"],
-]);
+];
 
 /** @param {Store} store @param {HTMLElement} busy */
 export function stageView(store, busy) {
@@ -39,7 +40,7 @@ export function stageView(store, busy) {
   /** As long as it says at every zoom. */
   const paintScale = () => {
     const perPixel = view.millimetresPerPixel,
-      step = niceUp(48 * perPixel);
+      step = inside("length", niceUp(outside("length", 48 * perPixel)));
     const line = el("span", {
       style: `display:block;border:1px solid currentColor;border-top:0;height:5px;width:${step / perPixel}px`,
     });
@@ -92,8 +93,7 @@ export function stageView(store, busy) {
    * @param {string} words @param {string} kind @param {number[]} here @param {number[]} ends
    */
   function paintLegend(words, kind, here, ends) {
-    const text = (/** @type {number} */ x) =>
-      kind === "N/mm" ? `${number(x, 3)} N/mm` : kind ? show(kind, x, 3) : number(x, 3);
+    const text = (/** @type {number} */ x) => show(kind, x, 3);
     const ramp = evenly(0, 1, 9)
       .map((t) => viridis(t, 1))
       .join(",");
@@ -132,7 +132,7 @@ function sentence(shape, point) {
 
 /** The end of the muscle is dragged. @param {Store} store */
 function contracting(store) {
-  let from = /** @type {number | undefined} */ (undefined);
+  /** @type {number | undefined} */ let from = undefined;
   return (/** @type {number} */ share, /** @type {boolean} */ settled) => {
     from ??= Number(store.shape.value?.shape_contraction);
     const to = clamp(Math.round(1000 * (from + share)) / 1000, -0.1, 0.9);

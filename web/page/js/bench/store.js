@@ -2,12 +2,12 @@
 // questions that lead to them.
 import { Slot, answerTo } from "../ask.js";
 import { keepWords } from "../kept.js";
-import { rested } from "../life.js";
 import { muscle } from "../muscle.js";
 import { PRESSURE, point as pointOf } from "../state.js";
+import { allowedOf } from "./family.js";
 import { reach } from "../view3d.js";
 import { niceUp } from "../units.js";
-import { batch, signal } from "../watch.js";
+import { batch, rested, signal } from "../watch.js";
 
 /** Keys of the address that are the page's own, with their usual words. */
 export const OWN = {
@@ -36,7 +36,7 @@ export class Store {
    */
   problem = nothing();
   /** What the muscle does at this pressure. */
-  facts = signal(/** @type {Partial<Commands["check"]["answer"]>} */ ({}));
+  /** @type {Signal<Partial<Commands["check"]["answer"]>>} */ facts = signal({});
   /**
    * Ends of the colour scales, by field: of the muscle up to its supply.
    * @type {ReturnType<typeof nothing<Record<string, [number, number]>>>}
@@ -102,9 +102,7 @@ export class Store {
 
   /** The pressure that the colours reach to: the usual one, or the one that the muscle may have. */
   supply() {
-    const { characteristics, rated_pressure_mpa } = this.facts.value;
-    const allowed = characteristics?.allowed_pressure_mpa ?? rated_pressure_mpa ?? Infinity;
-    const usual = Math.min(PRESSURE.high, allowed);
+    const usual = Math.min(PRESSURE.high, allowedOf(this));
     return muscle.p > usual ? niceUp(muscle.p) : usual;
   }
 
@@ -126,7 +124,7 @@ export class Store {
     const shapes = await Promise.all(
       states.map((at) => answerTo("shape", { muscle: of, ...at }).catch(() => undefined)),
     );
-    const found = /** @type {Record<string, [number, number]>} */ ({});
+    /** @type {Record<string, [number, number]>} */ const found = {};
     for (const shape of shapes) if (shape) widen(found, /** @type {Shape} */ (shape));
     if (this.rangesKey === key) this.ranges.value = shapes.some(Boolean) ? found : undefined;
   }

@@ -2,28 +2,28 @@
 import { answerTo } from "../ask.js";
 import { KINDS, withBuilt } from "../chart.js";
 import { choice } from "../controls.js";
-import { block, capital, smallPrint } from "../dom.js";
+import { block, capital, remark } from "../dom.js";
 import { isAbort, problemOf } from "../engine/problem.js";
 import { fieldsOf, form } from "../form.js";
-import { renewing, rested } from "../life.js";
 import { muscle } from "../muscle.js";
 import { valueAt } from "../plot.js";
 import { CONTRACTION, MEASURES, PRESSURE, question, say } from "../state.js";
 import { clamp, evenly, inWords, outside, show, unitName } from "../units.js";
-import { signal, watch } from "../watch.js";
+import { renewing, rested, signal, watch } from "../watch.js";
 
 /** @typedef {Commands["shape"]["answer"]} Answer */
 /** @typedef {{ value: number, answer?: Answer, why?: string }} Row */
 /** A result: name, kind, its field, and those of a muscle that is built where they are known. */
-const RESULTS = /** @type {[string, string, Kind, keyof Answer, (keyof Answer)[]?][]} */ ([
-  ["F", "pull", "force", "force_n", ["predicted_n", "predicted_low_n", "predicted_high_n"]],
-  ["k", "stiffness", "stiffness", "stiffness_n_per_mm"],
-  ["e", "contraction", "ratio", "contraction"],
-  ["b", "bulged diameter", "length", "bulged_diameter_mm"],
-  ["V", "volume of the cavity", "volume", "volume_mm3"],
-  ["l", "largest stretch of the rubber", "number", "max_stretch"],
-  ["T", "tension of all strands", "force", "braid_tension_n"],
-]).map(([key, label, kind, of, built = []]) => ({ key, label, kind, of, built }));
+export const RESULTS =
+  /** @type {[string, string, Kind, keyof Answer & keyof Commands["force"]["answer"], (keyof Answer)[]?][]} */ ([
+    ["F", "pull", "force", "force_n", ["predicted_n", "predicted_low_n", "predicted_high_n"]],
+    ["k", "stiffness", "stiffness", "stiffness_n_per_mm"],
+    ["e", "contraction", "ratio", "contraction"],
+    ["b", "bulged diameter", "length", "bulged_diameter_mm"],
+    ["V", "volume of the cavity", "volume", "volume_mm3"],
+    ["l", "largest stretch of the rubber", "number", "max_stretch"],
+    ["T", "tension of all strands", "force", "braid_tension_n"],
+  ]).map(([key, label, kind, of, built = []]) => ({ key, label, kind, of, built }));
 const POINTS = 21,
   /** After a change it waits so long, in milliseconds. */
   REST = 250;
@@ -39,9 +39,9 @@ function usualRange({ key, low = 0, high = Infinity, minimum = -Infinity, maximu
 
 /** @param {Store} store @param {import("../chart.js").Chart} chart */
 export function sweepView(store, chart) {
-  const rows = signal(/** @type {Row[]} */ ([])),
+  /** @type {Signal<Row[]>} */ const rows = signal([]),
     begin = renewing(),
-    measures = /** @type {Measure[]} */ ([PRESSURE, CONTRACTION, ...MEASURES]);
+    /** @type {Measure[]} */ measures = [PRESSURE, CONTRACTION, ...MEASURES];
   const measure = () => measures.find(({ key }) => key === store.wanted.value.x) ?? PRESSURE,
     result = () => RESULTS.find(({ key }) => key === store.wanted.value.y) ?? RESULTS[0];
   let fields = form([], () => {}),
@@ -150,7 +150,7 @@ export function sweepView(store, chart) {
       [one] = failed;
     said.replaceChildren(
       one
-        ? smallPrint(
+        ? remark(
             `${failed.length} of ${list.length} values have no answer, such as ` +
               `${show(kind, one.value)}: ${inWords(one.why ?? "")}`,
           )

@@ -2,18 +2,15 @@
 // are.
 import { answerTo } from "../ask.js";
 import { block, button, el, folded, remark } from "../dom.js";
-import { isAbort } from "../engine/problem.js";
 import { fieldsOf, form } from "../form.js";
-import { atEnd, renewing } from "../life.js";
 import { muscle } from "../muscle.js";
 import { CONTRACTION, PRESSURE, QUANTITIES, question, say } from "../state.js";
-import { evenly, inWords, number, outside, show, showForce, unitName } from "../units.js";
-import { watch } from "../watch.js";
+import { evenly, inWords, show, showForce, unitName } from "../units.js";
+import { renewing, rested, watch } from "../watch.js";
 
-/** Values that are tried first, secants at most, and as near as this, as a share of the pull. */
+/** Values that are tried between two, and how often. */
 const POINTS = 13,
-  MOST = 12,
-  NEAR = 2e-4;
+  ROUNDS = 4;
 
 /** @param {Store} store */
 export function solveView(store) {
@@ -59,8 +56,7 @@ export function solveView(store) {
 
 /**
  * The value of a measure with which the muscle pulls so much: between the ends of its slider where
- * the difference changes its sign, nearest to the present one, then by secants that keep it between
- * (Illinois).
+ * the difference changes its sign, nearest to the present one, then between ever closer values.
  * @param {Measure} measure @param {number} force @param {AbortSignal} signal
  * @returns {Promise<number>}
  */
@@ -69,34 +65,28 @@ async function solved({ key, low = 0, high = 1, around, label, kind }, force, si
     from = Number(muscle.value(key)),
     [least, most] = around ? [0.3 * from, 3 * from] : [low, high];
   // A muscle that cannot be has no value.
-  const at = async (/** @type {number} */ x) => ({
-    x,
-    f: await answerTo("force", question(say(state, key, x)), { signal }).then(
+  const off = (/** @type {number} */ x) =>
+    answerTo("force", question(say(state, key, x)), { signal }).then(
       (answer) => answer.force_n - force,
-      (problem) => {
-        if (isAbort(problem)) throw problem;
-        return NaN;
-      },
-    ),
-  });
-  const all = await Promise.all(evenly(least, most, POINTS).map(at));
-  const [between] = all
-    .slice(1)
-    .map((b, i) => [all[i], b])
-    .filter(([a, b]) => a.f * b.f <= 0)
-    .sort(([a], [b]) => Math.abs(a.x - from) - Math.abs(b.x - from));
-  if (!between)
-    throw new Error(
-      `No ${label.toLowerCase()} between ${show(kind, least)} and ${show(kind, most)} gives this ` +
-        "pull with all else as it is.",
+      () => NaN,
     );
-  let [a, b] = between;
-  for (let i = 0; i < MOST && Math.abs(b.f) > NEAR * force; i++) {
-    const next = await at((a.x * b.f - b.x * a.f) / (b.f - a.f));
-    a = next.f * b.f > 0 ? { ...a, f: a.f / 2 } : b;
-    b = next;
+  let [a, b] = [least, most].map((x) => ({ x, f: 0 }));
+  for (let round = 0; round < ROUNDS; round++) {
+    const all = await Promise.all(
+      evenly(a.x, b.x, POINTS).map(async (x) => ({ x, f: await off(x) })),
+    );
+    const far = (/** @type {number} */ i) => Math.abs(all[i].x - from),
+      [at] = evenly(1, POINTS - 1, POINTS - 1)
+        .filter((i) => all[i - 1].f * all[i].f <= 0)
+        .sort((i, k) => far(i) - far(k));
+    if (!at)
+      throw new Error(
+        `No ${label.toLowerCase()} between ${show(kind, least)} and ${show(kind, most)} gives this ` +
+          "pull with all else as it is.",
+      );
+    [a, b] = [all[at - 1], all[at]];
   }
-  return b.x;
+  return a.f === b.f ? a.x : (a.x * b.f - b.x * a.f) / (b.f - a.f);
 }
 
 // What a small change of each measure does to the pull: one millimetre, a degree, 0.1 bar. Each is
@@ -111,8 +101,8 @@ export function tornadoView(store) {
   const bars = block("tornado"),
     words = remark();
   const element = folded("What a small change does", bars, words);
-  const begin = renewing();
-  let timer = 0;
+  const begin = renewing(),
+    soon = rested(start, REST);
 
   async function start() {
     const at = store.point.value;
@@ -121,7 +111,7 @@ export function tornadoView(store) {
       held = muscle.state.F !== undefined,
       state = { ...muscle.state, F: undefined, e: at.contraction };
     words.textContent = "Computing …";
-    const list = /** @type {Measure[]} */ ([...QUANTITIES, PRESSURE, CONTRACTION]).filter(
+    /** @type {Measure[]} */ const list = [...QUANTITIES, PRESSURE, CONTRACTION].filter(
       ({ key }) => !(key === "angle" && muscle.shown?.sleeve) && !(key === "e" && held),
     );
     const change = (/** @type {string} */ key, /** @type {number} */ sign) =>
@@ -150,25 +140,24 @@ export function tornadoView(store) {
     void [muscle.state, store.point.value, unitName("force")];
     // What belongs to another muscle is given up at once.
     begin();
-    clearTimeout(timer);
-    timer = window.setTimeout(start, REST);
+    soon();
   });
-  atEnd(() => clearTimeout(timer));
   return { element };
 }
 
 /** @param {Measure} m @param {number[]} changes @param {number} reach */
 function bar(m, changes, reach) {
-  const step = STEPS[m.key],
-    text = m.kind === "ratio" ? `${100 * step} %` : show(m.kind, step, 2);
-  const signed = (/** @type {number} */ v) =>
-    `${v < 0 ? "−" : "+"}${number(outside("force", Math.abs(v)), 2)} ${unitName("force")}`;
+  const signed = (/** @type {number} */ v) => `${v < 0 ? "−" : "+"}${showForce(Math.abs(v), 2)}`;
   const piece = (/** @type {number} */ v, /** @type {number} */ i) =>
     el("b", {
       class: i ? "more" : "less",
       style: `${v < 0 ? "right" : "left"}:50%;width:${((50 * Math.abs(v)) / reach).toFixed(1)}%`,
     });
-  const label = el("span", m.label, el("span", { class: "soft" }, ` ± ${text}`));
+  const label = el(
+    "span",
+    m.label,
+    el("span", { class: "soft" }, ` ± ${show(m.kind, STEPS[m.key], 2)}`),
+  );
   const value = el("span", changes.length === 2 ? changes.map(signed).join(", ") : "–");
   return block("", label, value, el("i", ...changes.map(piece)));
 }

@@ -1,10 +1,11 @@
 // Measured points: seen over the models, and constants identified from them.
 import { Slot } from "../ask.js";
 import { pointSeries } from "../bench/points.js";
-import { pressureColour } from "../chart.js";
+import { shade } from "../chart.js";
 import { columnLine, grid } from "../columns.js";
 import { TABLES, fileField } from "../controls.js";
 import {
+  bench,
   block,
   button,
   capital,
@@ -16,9 +17,11 @@ import {
   problemBox,
   remark,
   rowOf,
+  table,
+  warnings,
 } from "../dom.js";
 import { Figures } from "../figure.js";
-import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
+import { fieldsOf, form, job } from "../form.js";
 import { GALLERY, gallery, library, muscleButtons } from "../gallery.js";
 import { fileOf, keepFile, keepWords, measured } from "../kept.js";
 import { muscle } from "../muscle.js";
@@ -97,8 +100,8 @@ export const FIELDS = fieldsOf([
 
 /** @type {Mount} */
 export const mount = (main) => {
-  const compared = signal(/** @type {Commands["compare"]["answer"] | undefined} */ (undefined)),
-    known = signal(/** @type {Commands["identify"]["answer"] | undefined} */ (undefined));
+  /** @type {Signal<Commands["compare"]["answer"] | undefined>} */ const compared = signal(),
+    /** @type {Signal<Commands["identify"]["answer"] | undefined>} */ known = signal();
   const looking = new Slot(),
     reading = new Slot();
   const what = form(FIELDS, look),
@@ -185,9 +188,7 @@ export const mount = (main) => {
     const list = points.filter((q) => q.measured === "force"),
       top = Math.max(...list.map((q) => q.pressure_mpa)),
       lines = spec.series.filter((s) => s.mode !== "markers"),
-      colours = new Map(
-        list.map(({ pressure_mpa: p }) => [showPressure(p, 3), pressureColour(p, top)]),
-      );
+      colours = new Map(list.map(({ pressure_mpa: p }) => [showPressure(p, 3), shade(p / top)]));
     // The lines that are named have it too, and their bands.
     const named = lines.flatMap(({ end }) => (end ? colours.get(end) : [])),
       ofBands = [...named];

@@ -10,19 +10,17 @@ import {
   rejectedView,
   widthOf,
 } from "../design-view.js";
-import { block, button, dim, el, folded, mainButton, rowOf } from "../dom.js";
-import { fieldsOf, form, job, kindsOf } from "../form.js";
+import { block, button, dim, el, folded, mainButton, rowOf, tabs } from "../dom.js";
+import { fieldsOf, form, job } from "../form.js";
 import { keepWords } from "../kept.js";
-import { rested } from "../life.js";
 import { liftView } from "../lift.js";
 import { muscle } from "../muscle.js";
-import { openDialog } from "../open.js";
+import { openDialog } from "../gallery.js";
 import { STIFFNESS_NAMES, missing } from "../state.js";
-import { showLength, showPressure } from "../units.js";
-import { signal, watch } from "../watch.js";
+import { showPressure } from "../units.js";
+import { rested, signal, watch } from "../watch.js";
 
-/** @typedef {{ answer: Design["answer"], asked: Design["request"] }} Found */
-const OBJECTIVES = /** @type {[string, string][]} */ ([
+/** @type {[string, string][]} */ const OBJECTIVES = [
   ["bulged-diameter", "recommended: slim, sold"],
   ["diameter", "slimmest at rest"],
   ["pressure", "lowest pressure"],
@@ -30,7 +28,7 @@ const OBJECTIVES = /** @type {[string, string][]} */ ([
   ["length", "shortest"],
   ["mass", "lightest"],
   ["chance", "surest"],
-]);
+];
 /** The question. @type {Field[]} */
 export const WANTED = fieldsOf([
   ["F", "force_n", "It must pull", "force", "300 N"],
@@ -122,11 +120,24 @@ function specification(submit) {
     forms = [wanted, choice],
     more = folded("More requirements", choice.element);
   const hint = (/** @type {string} */ key) => WANTED.find((f) => f.key === key)?.hint ?? "";
-  const kinds = kindsOf(wanted, KINDS, (kind) => {
-    for (const key of ["at", "joint", "load"]) wanted.put(key, key === kind ? hint(key) : "");
-    wanted.put("stroke", kind === "load" ? "40 mm" : "");
-    submit();
-  });
+  const kinds = tabs(
+    "What it must do",
+    KINDS.map(([kind, text]) => [kind, text]),
+    "",
+    (kind) => {
+      select(kind);
+      for (const key of ["at", "joint", "load"]) wanted.put(key, key === kind ? hint(key) : "");
+      wanted.put("stroke", kind === "load" ? "40 mm" : "");
+      submit();
+    },
+  );
+  /** Its fields are seen. @param {string} chosen */
+  function select(chosen) {
+    kinds.set(chosen);
+    const own = KINDS.find(([kind]) => kind === chosen)?.[2];
+    for (const key of KINDS.flatMap(([, , keys]) => keys))
+      wanted.shown(key, Boolean(own?.includes(key)));
+  }
   /** What the sleeves need beside their names has a field. */
   const lacking = () => {
     const k = choice.text("k"),
@@ -143,10 +154,16 @@ function specification(submit) {
   return {
     element: block("", kinds.list, wanted.element, more),
     texts: () => Object.assign({}, ...forms.map((f) => f.texts())),
+    /** Another certainty. @param {number} chance */
+    ensure(chance) {
+      more.open = true;
+      choice.put("sure", `${100 * chance} %`);
+      submit();
+    },
     /** @param {URLSearchParams} params */
     set(params) {
       forms.forEach((f) => f.set(params));
-      kinds.select(["at", "joint", "load"].find((key) => wanted.text(key)) ?? "F");
+      select(["at", "joint", "load"].find((key) => wanted.text(key)) ?? "F");
       more.open = Object.values(choice.texts()).some(Boolean);
       choice.options(
         "braid",
@@ -174,25 +191,16 @@ function specification(submit) {
   };
 }
 
-/** Prices of tubes; asked once. @type {Promise<Map<string, string>> | undefined} */ let prices;
-const priced = () =>
-  (prices ??= answerTo("parts-list", { kind: "tubes" }).then(
-    ({ tubes }) => new Map(tubes.flatMap(({ name, price }) => (price ? [[name, price]] : []))),
-    () => new Map(),
-  ));
-
 /** What to set, and how wide it gets. @param {Candidate} c */
-const inUse = (c) =>
-  `${showPressure(c.pressure_mpa, 3)}, ${c.count > 1 ? `${c.count} × ` : ""}` +
-  `${showLength(widthOf(c), 3)} wide`;
+const inUse = (c) => `${showPressure(c.pressure_mpa, 3)}, ${widthOf(c)} wide`;
 
 /** @type {Mount} */
 export const mount = (main) => {
-  const first = signal(/** @type {Found | undefined} */ (undefined)),
-    all = signal(/** @type {Found | undefined} */ (undefined)),
-    known = signal(/** @type {Map<string, string>} */ (new Map()));
+  /** @type {Signal<Design["answer"] | undefined>} */ const first = signal(),
+    /** @type {Signal<Design["answer"] | undefined>} */ all = signal(),
+    /** @type {Signal<Map<string, string>>} */ known = signal(new Map());
   /** The question of the answer that comes. */
-  const question = signal(/** @type {Design["request"] | undefined} */ (undefined));
+  /** @type {Signal<Design["request"] | undefined>} */ const question = signal();
   const spec = specification(() => ask.run());
   const head = el("h2", { class: "grow", ariaLive: "polite" }),
     act = rowOf(),
@@ -204,14 +212,15 @@ export const mount = (main) => {
     "Find a muscle",
     "design",
     async () => {
-      const asked = await spec.read();
+      // At once: a text that is read late takes no answer of a later one away.
       first.value = all.value = undefined;
+      const asked = await spec.read();
       question.value = asked;
       if (asked) keepWords("design", spec.texts());
       return asked && { ...asked, top: 1 };
     },
     (answer) => {
-      first.value = { answer, asked: question.value ?? {} };
+      first.value = answer;
       if (answer.candidates.length) whole.run();
     },
     {
@@ -228,68 +237,51 @@ export const mount = (main) => {
     "design",
     async () => question.value,
     (answer) => {
-      all.value = { answer, asked: question.value ?? {} };
-      priced().then((map) => (known.value = map));
+      all.value = answer;
+      answerTo("parts-list", { kind: "tubes" }).then(
+        ({ tubes }) => (known.value = new Map(tubes.map(({ name, price }) => [name, price ?? ""]))),
+        () => {},
+      );
     },
     { minor: true },
   );
-  /** Another muscle of the same question: the one of that certainty. @param {number} certainty */
-  function pick(certainty) {
-    const asked = /** @type {Design["request"]} */ ({ ...question.value, certainty });
-    answerTo("design", { ...asked, top: 1 }, { lane: "job" }).then(
-      (answer) => (first.value = { answer, asked }),
-    );
-  }
-  const curve = chanceCurve(({ chance }) => pick(chance));
+  const curve = chanceCurve();
 
   watch(() => {
-    const found = first.value,
-      best = found?.answer.candidates[0];
+    const answer = first.value,
+      best = answer?.candidates[0];
     // Until the answer comes no number of another muscle stands beside the question.
-    for (const part of [head, result, lift.element]) part.classList.toggle("skeleton", !found);
+    for (const part of [head, result, lift.element])
+      part.classList.toggle("skeleton", !answer && Boolean(question.value));
     act.hidden = !best;
     lift.show(best);
-    if (!found) {
+    if (!answer) {
       head.textContent = question.value ? "Searching …" : "";
       return result.replaceChildren();
     }
-    const { answer, asked: of } = found;
     if (!best) {
       head.textContent = "";
       return result.replaceChildren(...closestView(answer), rejectedView(answer));
     }
-    const said = verdict(/** @type {{ chance?: number }} */ (best).chance);
+    const said = verdict(best.chance);
     head.textContent = `${said ? `${said}: set` : "Set"} ${inUse(best)}.`;
-    act.replaceChildren(mainButton("Open this muscle", () => openCandidate(answer, of)));
+    act.replaceChildren(
+      mainButton("Open this muscle", () => openCandidate(answer, question.value)),
+    );
     result.replaceChildren(...headView(answer));
   });
   watch(() => {
-    const { choices = [], candidates = [] } = first.value?.answer ?? {},
-      possible = /** @type {import("../design-view.js").Choice[]} */ (choices);
-    others.replaceChildren(
-      choicesView(possible, (i) => pick(Number(possible[i].chance))),
-      curve.element,
-    );
-    curve.show(
-      [...possible, ...candidates].flatMap((c) => {
-        const {
-          chance,
-          width_mm,
-          name = "",
-        } = /** @type {{ chance?: number, width_mm?: number, name?: string }} */ (c);
-        return chance == null || width_mm == null ? [] : [{ chance, width_mm, name }];
-      }),
-    );
+    const { choices = [] } = first.value ?? {};
+    others.replaceChildren(choicesView(choices, spec.ensure), curve.element);
+    curve.show(choices);
   });
   watch(() => {
-    const found = all.value;
+    const answer = all.value;
     list.replaceChildren(
-      ...(found
-        ? [...foundView(found.answer, found.asked, known.value), rejectedView(found.answer)]
-        : []),
+      ...(answer ? [...foundView(answer, question.value, known.value), rejectedView(answer)] : []),
     );
-    dim([list], !found);
-    whole.element.hidden = !first.value?.answer.candidates.length;
+    dim([list], !answer);
+    whole.element.hidden = !first.value?.candidates.length;
   });
 
   /** A page that brings its engine loads that of the search when it is asked for. */
@@ -305,7 +297,6 @@ export const mount = (main) => {
   main.replaceChildren(
     block(
       "start",
-      lift.element,
       block(
         "question",
         el(
@@ -318,6 +309,7 @@ export const mount = (main) => {
         result,
         button("Open a muscle", openDialog, { class: "bare" }),
       ),
+      lift.element,
     ),
     others,
     whole.element,

@@ -3,8 +3,19 @@
 import { Slot } from "../ask.js";
 import { chartOf } from "../chart.js";
 import { fileField, quantity } from "../controls.js";
-import { block, button, dim, dragging, el, folded, heading, problemBox, remark } from "../dom.js";
-import { inputs, job, warnings } from "../form.js";
+import {
+  block,
+  button,
+  dim,
+  el,
+  folded,
+  heading,
+  inputs,
+  problemBox,
+  remark,
+  warnings,
+} from "../dom.js";
+import { job } from "../form.js";
 import { angleAt, jointDrawing, numbersView, reachChart, torqueChart } from "../joint-view.js";
 import {
   FILES,
@@ -151,24 +162,33 @@ const wanted = (v, list) => ({
 });
 
 /** Shares of the supply in both muscles along the curves. */
-const PAIRS = [
-  [1, 0],
-  [0.75, 0.25],
-  [0.5, 0.5],
-  [0.25, 0.75],
-  [0, 1],
-];
+const PAIRS = evenly(1, 0, 5).map((share) => [share, 1 - share]);
 
 /** @type {Mount} */
 export const mount = (main) => {
   const joint = new JointWords(),
     { v, files } = joint;
-  const point = signal(/** @type {JointPoint | undefined} */ (undefined)),
-    family = signal(/** @type {Family | undefined} */ (undefined)),
-    reached = signal(/** @type {JointAnswer["map"]} */ (undefined));
+  /** @type {Signal<JointPoint | undefined>} */ const point = signal(),
+    /** @type {Signal<Family | undefined>} */ family = signal(),
+    /** @type {Signal<JointAnswer["map"]>} */ reached = signal();
   /** The file that says what the muscle of the page Muscle is. */
   let first = "";
-  const arm = el("div", { class: "stage", role: "img", ariaLabel: "The joint" }),
+  /** The arm follows the pointer that holds it. @param {PointerEvent} event */
+  function follow(event) {
+    const angle = arm.hasPointerCapture(event.pointerId) ? angleAt(arm, event) : undefined;
+    if (angle !== undefined) turned(angle, event.type === "pointerup");
+  }
+  const arm = el("div", {
+      class: "stage",
+      role: "img",
+      ariaLabel: "The joint",
+      onpointermove: follow,
+      onpointerup: follow,
+      onpointerdown(/** @type {PointerEvent} */ event) {
+        arm.setPointerCapture(event.pointerId);
+        follow(event);
+      },
+    }),
     numbers = el("section", { class: "numbers", ariaLabel: "Numbers" }),
     said = block(),
     notes = block();
@@ -187,7 +207,6 @@ export const mount = (main) => {
       await joint.fromFile();
       set();
       ask(true);
-      map.run();
     },
   });
   /**
@@ -208,14 +227,7 @@ export const mount = (main) => {
       drag: (x, _, settled) => turned(x, settled),
     }),
     reach = chartOf("joint-map", { tools: heading("Reachable stiffness") });
-  const map = job(
-    "Map of the reachable states",
-    "joint",
-    async () => ({ ...byFormula(), map: 25, max_pressure_mpa: v.pmax }),
-    (answer) => (reached.value = answer.map),
-    { fields: { at: mark } },
-  );
-  const slots = { first: new Slot(), final: new Slot(), curves: new Slot() };
+  const slots = { first: new Slot(), final: new Slot(), curves: new Slot(), map: new Slot() };
   let turn = 0;
   /** @param {JointAnswer} answer */
   function take(answer) {
@@ -237,14 +249,10 @@ export const mount = (main) => {
     block(
       "bench",
       element,
-      block("middle", arm, block("charts", torque.element, reach.element), map.element),
+      block("middle", arm, block("charts", torque.element, reach.element)),
       block("side", said, numbers, notes),
     ),
   );
-  dragging(arm, (event, settled) => {
-    const angle = angleAt(arm, event);
-    if (angle !== undefined) turned(angle, settled);
-  });
 
   /** @param {number} angle @param {boolean} settled */
   function turned(angle, settled) {
@@ -288,7 +296,10 @@ export const mount = (main) => {
       { ...byFormula(), pressures_mpa: pairs, angles_deg: angles },
       (answer) => (family.value = { answer, angles, pairs }),
     );
-    if (settled) keepWords("joint", joint.words());
+    if (!settled) return;
+    keepWords("joint", joint.words());
+    const map = { ...byFormula(), map: 25, max_pressure_mpa: v.pmax };
+    slots.map.ask("joint", map, (answer) => (reached.value = answer.map));
   }
   const stale = (/** @type {boolean} */ on) => dim([arm, numbers], on);
   watch(() => {
@@ -329,7 +340,6 @@ export const mount = (main) => {
         return void said.replaceChildren(problemBox(problem));
       }
       ask(true);
-      map.run();
     },
   };
 };

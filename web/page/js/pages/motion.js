@@ -2,8 +2,19 @@
 import { Slot } from "../ask.js";
 import { chartOf, KINDS } from "../chart.js";
 import { fileField } from "../controls.js";
-import { block, button, el, folded, heading, problemBox, remark } from "../dom.js";
-import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
+import {
+  bench,
+  block,
+  button,
+  el,
+  folded,
+  heading,
+  problemBox,
+  remark,
+  table,
+  warnings,
+} from "../dom.js";
+import { fieldsOf, form, job } from "../form.js";
 import { example } from "../gallery.js";
 import { JointWords } from "../joint-words.js";
 import { keepWords, wordsOf } from "../kept.js";
@@ -11,7 +22,7 @@ import { muscle } from "../muscle.js";
 import { playing } from "../play.js";
 import { motion } from "../state.js";
 import { stated } from "../toml.js";
-import { number, outside, ratioAxis, showPressure, showRatio, unitName } from "../units.js";
+import { number, outside, ratioAxis, show, showPressure, showRatio, unitName } from "../units.js";
 import { viewOf } from "../view3d.js";
 import { signal, watch } from "../watch.js";
 
@@ -109,7 +120,7 @@ const EXAMPLES = [
 function driveBox(take) {
   const said = block();
   const fail = (/** @type {unknown} */ problem) => said.replaceChildren(problemBox(problem));
-  const leave = button("Close the drive file", () => take(""), { hidden: true });
+  const leave = button("Close the drive file", () => take(""));
   const samples = EXAMPLES.map(([text, name]) =>
     button(text, () => example(name).then(take).catch(fail)),
   );
@@ -121,13 +132,7 @@ function driveBox(take) {
     leave,
     said,
   );
-  return {
-    element,
-    /** @param {string} drive */
-    show(drive) {
-      leave.hidden = !drive;
-    },
-  };
+  return { element, leave };
 }
 
 // A motion as people see it: pressures, the way of muscle or joint over time, and its figures.
@@ -187,8 +192,7 @@ const speed = ({ largest_velocity_deg_per_s: turn, largest_velocity_mm_per_s: wa
 
 /** @param {Run} run */
 function figures(run) {
-  const time = (/** @type {number | null | undefined} */ x) =>
-    x == null ? "–" : `${number(x, 3)} s`;
+  const time = (/** @type {number | null | undefined} */ x) => show("s", x, 3);
   return table(
     ["", ""],
     [
@@ -197,8 +201,8 @@ function figures(run) {
       ["Overshoot", showRatio(run.overshoot, 3)],
       ["Filled within 2 % after", time(run.fill_time_s)],
       run.liquid_volume_mm3 == null
-        ? ["Air from the supply", `${number(run.air_normal_litres, 3)} normal L`]
-        : ["Liquid pushed in", `${number(run.liquid_volume_mm3 / 1000, 4)} mL`],
+        ? ["Air from the supply", show("normal L", run.air_normal_litres, 3)]
+        : ["Liquid pushed in", show("mL", run.liquid_volume_mm3 / 1000)],
       ["Largest speed", speed(run)],
     ],
     { label: "figures of the step" },
@@ -226,11 +230,11 @@ function stateAt({ series: s }, i) {
 
 /** @type {Mount} */
 export const mount = (main) => {
-  const run = signal(/** @type {Run | undefined} */ (undefined));
+  /** @type {Signal<Run | undefined>} */ const run = signal();
   let drive = "";
   const fields = form(STEP, () => go.run()),
     shown = player();
-  fields.element.append(folded("Advanced", fields.rows.get("model")?.row));
+  fields.element.append(folded("Advanced", fields.rows.model.row));
   const pressure = chartOf("motion-pressure", { tools: heading("Pressure over time") }),
     way = chartOf("motion-contraction", { tools: heading("Movement over time") }),
     charts = block("charts", pressure.element, way.element),
@@ -273,7 +277,7 @@ export const mount = (main) => {
   /** What a drive file states has no field. */
   function offer() {
     for (const { key } of STEP) fields.shown(key, !drive || key === "model");
-    box.show(drive);
+    box.leave.hidden = !drive;
     title.textContent = drive ? "Commands of a drive file" : "A step on a valve";
   }
 

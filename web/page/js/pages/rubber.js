@@ -2,9 +2,9 @@
 // rubber.
 import { columnLine, grid } from "../columns.js";
 import { TABLES, fileField } from "../controls.js";
-import { block, capital, folded, heading, paragraph, remark } from "../dom.js";
+import { bench, block, folded, heading, paragraph, remark, table, warnings } from "../dom.js";
 import { Figures } from "../figure.js";
-import { bench, fieldsOf, form, job, table, warnings } from "../form.js";
+import { fieldsOf, form, job } from "../form.js";
 import { example, muscleButtons } from "../gallery.js";
 import { fileOf, keepFile, keepWords } from "../kept.js";
 import { muscle } from "../muscle.js";
@@ -37,17 +37,13 @@ const EXAMPLE = "treloar.csv";
 /** A constant as the engine reads it: `gauge length 25 mm`. @param {string} text */
 const keyed = (text) => text.replace(/\s+(?=[\d.])/, "=").replace(/^(\w+) (?=\w+=)/, "$1_");
 
-/** The sign of a constant: `μ1`, `C10`. @param {string} name */
-const sign = (name) =>
-  capital(name).replace(/^Mu/, "μ").replace("Alpha", "α").replace("Lambda_m", "λm");
-
 /** A law in a row. @param {Law} law @param {Answer} answer */
 function row(law, answer) {
   const best = law.stable && law.name === answer.recommended;
   const constant = (/** @type {Law["parameters"][number]} */ p) => {
     const half = p.standard_error ? ` ± ${number(1.96 * p.standard_error, 2)}` : "",
       what = best ? `${p.meaning.split(":")[0]} ` : "";
-    return `${what}${sign(p.name)} ${number(p.value, 4)}${half} ${p.unit}`.trim();
+    return `${what}${p.name} ${number(p.value, 4)}${half} ${p.unit}`.trim();
   };
   const fitted = law.constrained ? "kept stable" : law.stable ? "" : "unstable in a muscle";
   return [
@@ -62,7 +58,7 @@ function row(law, answer) {
 
 /** @type {Mount} */
 export const mount = (main) => {
-  const found = signal(/** @type {Answer | undefined} */ (undefined));
+  /** @type {Signal<Answer | undefined>} */ const found = signal();
   let data = fileOf("rubber");
   const fields = form(FIELDS, () => fit.run()),
     figures = new Figures("rubber");
@@ -134,11 +130,7 @@ export const mount = (main) => {
         answer.laws.map((law) => row(law, answer)),
         { text: [0, 1, 5], label: "laws of the rubber" },
       ),
-      warnings(
-        [...answer.warnings.map((w) => w.message), ...answer.failed].map((text) =>
-          text.replace(/\b(mu|alpha)\d\b/g, sign),
-        ),
-      ),
+      warnings([...answer.warnings, ...answer.failed]),
       file
         ? muscleButtons(
             file,
