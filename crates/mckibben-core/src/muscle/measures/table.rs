@@ -6,46 +6,6 @@ use crate::{
     units::Dimension::*,
 };
 
-/// All of them: fields of requests are in this order, keys of a muscle file in this order within
-/// their table.
-pub static MEASURES: &[&Measure] = &[
-    &OUTER_DIAMETER,
-    &WALL,
-    &LENGTH,
-    &DENSITY,
-    &PRESTRETCH,
-    &TEMPERATURE,
-    &ANGLE,
-    &INSERTION,
-    &SEATING,
-    &SLIP,
-    &GRIP,
-    &PLUG_DIAMETER,
-    &PULL_OFF,
-    &RATED_PRESSURE,
-    &END_FACTOR,
-    &STIFFNESS,
-    &STIFFNESS_FACTOR,
-    &STRANDS,
-    &STRANDS_FACTOR,
-    &STRAND_AREA,
-    &STRAND_MODULUS,
-    &STRAND_STRENGTH,
-    &STRENGTH_FACTOR,
-    &STRANDS_PER_CARRIER,
-    &STRAND_LENGTH,
-    &TURNS,
-    &TAKE_UP,
-    &THICKNESS,
-    &SLEEVE_DIAMETER,
-    &CRIMP,
-    &CRIMP_STIFFNESS,
-    &FRICTION_COEFFICIENT,
-    &FRICTION_EXPONENT,
-    &FRICTION_LEVER,
-    &FRICTION_PRESLIDING,
-];
-
 /// A measure that stands in a field of a part, by the path of the field.
 macro_rules! stated {
     ($($field:ident).+) => {
@@ -68,644 +28,656 @@ macro_rules! optional {
     };
 }
 
-/// D0
-pub static OUTER_DIAMETER: Measure = Measure {
-    key: "tube.outer_diameter",
-    field: Some("outer_diameter_mm"),
-    symbol: "D0",
-    label: "outer diameter",
-    about: "Outer diameter D0 of the tube at rest",
-    short: Some('D'),
-    dimension: Length,
-    identify: Some(Identify {
-        share: 0.1,
-        is_geometry: true,
-        ..Identify::UNKNOWN
-    }),
-    ..stated!(tube.outer_diameter_mm)
-};
+/// Every measure by its name, and the list of them: fields of requests are in its order, keys of a
+/// muscle file in its order within their table.
+macro_rules! measures {
+    ($($(#[$symbol:meta])* $name:ident { $($of:tt)* })*) => {
+        /// All of them.
+        pub static MEASURES: &[&Measure] = &[$(&$name),*];
+        $($(#[$symbol])* pub static $name: Measure = Measure { $($of)* };)*
+    };
+}
 
-/// s
-pub static WALL: Measure = Measure {
-    key: "tube.wall_thickness",
-    field: Some("wall_mm"),
-    symbol: "s",
-    label: "wall",
-    about: "Wall thickness s of the tube at rest",
-    short: Some('s'),
-    dimension: Length,
-    identify: Some(Identify {
-        scale: Scale::Diameter,
-        bounds: (0.0, 0.5),
-        is_geometry: true,
-        ..Identify::UNKNOWN
-    }),
-    ..stated!(tube.wall_mm)
-};
+measures! {
+    /// D0
+    OUTER_DIAMETER {
+        key: "tube.outer_diameter",
+        field: Some("outer_diameter_mm"),
+        symbol: "D0",
+        label: "outer diameter",
+        about: "Outer diameter D0 of the tube at rest",
+        short: Some('D'),
+        dimension: Length,
+        identify: Some(Identify {
+            share: 0.1,
+            is_geometry: true,
+            ..Identify::UNKNOWN
+        }),
+        ..stated!(tube.outer_diameter_mm)
+    }
 
-/// L0
-pub static LENGTH: Measure = Measure {
-    key: "tube.length",
-    field: Some("length_mm"),
-    symbol: "L0",
-    label: "length",
-    about: "Length L0 between the terminals at rest",
-    comment: "between the terminals",
-    short: Some('L'),
-    dimension: Length,
-    identify: Some(Identify {
-        is_geometry: true,
-        ..Identify::UNKNOWN
-    }),
-    ..stated!(tube.length_mm)
-};
+    /// s
+    WALL {
+        key: "tube.wall_thickness",
+        field: Some("wall_mm"),
+        symbol: "s",
+        label: "wall",
+        about: "Wall thickness s of the tube at rest",
+        short: Some('s'),
+        dimension: Length,
+        identify: Some(Identify {
+            scale: Scale::Diameter,
+            bounds: (0.0, 0.5),
+            is_geometry: true,
+            ..Identify::UNKNOWN
+        }),
+        ..stated!(tube.wall_mm)
+    }
 
-/// ρ
-pub static DENSITY: Measure = Measure {
-    key: "tube.density",
-    field: Some("density_kg_per_m3"),
-    symbol: "ρ",
-    label: "density of the rubber",
-    about: "Density ρ of the rubber",
-    comment: "of the rubber; only its mass follows from it",
-    dimension: Density,
-    is_shown: true,
-    ..optional!(tube.density_kg_per_m3)
-};
+    /// L0
+    LENGTH {
+        key: "tube.length",
+        field: Some("length_mm"),
+        symbol: "L0",
+        label: "length",
+        about: "Length L0 between the terminals at rest",
+        comment: "between the terminals",
+        short: Some('L'),
+        dimension: Length,
+        identify: Some(Identify {
+            is_geometry: true,
+            ..Identify::UNKNOWN
+        }),
+        ..stated!(tube.length_mm)
+    }
 
-/// λp
-pub static PRESTRETCH: Measure = Measure {
-    key: "tube.prestretch",
-    field: Some("prestretch"),
-    symbol: "λp",
-    label: "prestretch",
-    about: "Axial stretch of the mounted tube: L0 over its free length; all dimensions are those \
-        of the mounted muscle",
-    comment: "mounted length over free length; D0, wall and length are the mounted ones",
-    bounds: Between(0.5, 2.0),
-    default: Some(1.0),
-    is_shown: true,
-    digested: true,
-    identify: Some(Identify {
-        also: &["prestretch"],
-        start: Some(1.02),
-        bounds: (0.5, 2.0),
-        limit: Some(0.05),
-        ..Identify::UNKNOWN
-    }),
-    get: |p| Some(p.tube.prestretch).filter(|v| *v != 1.0),
-    set: |p, v| p.tube.prestretch = v,
-    ..Measure::NONE
-};
+    /// ρ
+    DENSITY {
+        key: "tube.density",
+        field: Some("density_kg_per_m3"),
+        symbol: "ρ",
+        label: "density of the rubber",
+        about: "Density ρ of the rubber",
+        comment: "of the rubber; only its mass follows from it",
+        dimension: Density,
+        is_shown: true,
+        ..optional!(tube.density_kg_per_m3)
+    }
 
-/// T
-pub static TEMPERATURE: Measure = Measure {
-    key: "tube.temperature",
-    field: Some("temperature_degc"),
-    symbol: "T",
-    label: "temperature of the rubber",
-    about: "Temperature T of the rubber; its moduli change like the absolute temperature, from \
-        23 °C on",
-    comment: "of the rubber, whose constants are those at 23 °C",
-    dimension: Temperature,
-    bounds: Between(-20.0, 120.0),
-    is_shown: true,
-    digested: true,
-    ..optional!(tube.temperature_degc)
-};
+    /// λp
+    PRESTRETCH {
+        key: "tube.prestretch",
+        field: Some("prestretch"),
+        symbol: "λp",
+        label: "prestretch",
+        about: "Axial stretch of the mounted tube: L0 over its free length; all dimensions are those \
+            of the mounted muscle",
+        comment: "mounted length over free length; D0, wall and length are the mounted ones",
+        bounds: Between(0.5, 2.0),
+        default: Some(1.0),
+        is_shown: true,
+        digested: true,
+        identify: Some(Identify {
+            also: &["prestretch"],
+            start: Some(1.02),
+            bounds: (0.5, 2.0),
+            limit: Some(0.05),
+            ..Identify::UNKNOWN
+        }),
+        get: |p| Some(p.tube.prestretch).filter(|v| *v != 1.0),
+        set: |p, v| p.tube.prestretch = v,
+        ..Measure::NONE
+    }
 
-/// θ0
-pub static ANGLE: Measure = Measure {
-    key: "braid.angle",
-    field: Some("angle_deg"),
-    symbol: "θ0",
-    label: "braid angle",
-    about: "Angle θ0 of the strands to the axis at rest",
-    comment: "strands to the muscle's axis, at rest",
-    dimension: Angle,
-    has_rules: true,
-    bounds: OfPart,
-    identify: Some(Identify {
-        bounds: (1.0, 54.23561031724535),
-        limit: Some(3.0),
-        is_geometry: true,
-        ..Identify::UNKNOWN
-    }),
-    ..stated!(braid.angle_deg)
-};
+    /// T
+    TEMPERATURE {
+        key: "tube.temperature",
+        field: Some("temperature_degc"),
+        symbol: "T",
+        label: "temperature of the rubber",
+        about: "Temperature T of the rubber; its moduli change like the absolute temperature, from \
+            23 °C on",
+        comment: "of the rubber, whose constants are those at 23 °C",
+        dimension: Temperature,
+        bounds: Between(-20.0, 120.0),
+        is_shown: true,
+        digested: true,
+        ..optional!(tube.temperature_degc)
+    }
 
-/// Tube and braid on each plug
-pub static INSERTION: Measure = Measure {
-    key: "terminals.insertion",
-    field: Some("insertion_mm"),
-    label: "insertion of each plug",
-    about: "Length of tube and braid clamped on each plug",
-    comment: "tube and braid clamped on each plug",
-    dimension: Length,
-    bounds: NotNegative,
-    ..optional!(terminals.insertion_mm)
-};
+    /// θ0
+    ANGLE {
+        key: "braid.angle",
+        field: Some("angle_deg"),
+        symbol: "θ0",
+        label: "braid angle",
+        about: "Angle θ0 of the strands to the axis at rest",
+        comment: "strands to the muscle's axis, at rest",
+        dimension: Angle,
+        has_rules: true,
+        bounds: OfPart,
+        identify: Some(Identify {
+            bounds: (1.0, 54.23561031724535),
+            limit: Some(3.0),
+            is_geometry: true,
+            ..Identify::UNKNOWN
+        }),
+        ..stated!(braid.angle_deg)
+    }
 
-/// δ
-pub static SEATING: Measure = Measure {
-    key: "terminals.seating",
-    field: Some("seating_mm"),
-    label: "seating of both ends",
-    about: "Seating: total displacement of both ends under load",
-    comment: "total displacement of both ends under load",
-    dimension: Length,
-    bounds: NotNegative,
-    default: Some(0.0),
-    is_shown: true,
-    digested: true,
-    identify: Some(Identify {
-        also: &["seating"],
-        scale: Scale::Length,
-        start: Some(0.002),
-        bounds: (0.0, 0.2),
-        ..Identify::UNKNOWN
-    }),
-    ..optional!(terminals.seating_mm)
-};
+    /// Tube and braid on each plug
+    INSERTION {
+        key: "terminals.insertion",
+        field: Some("insertion_mm"),
+        label: "insertion of each plug",
+        about: "Length of tube and braid clamped on each plug",
+        comment: "tube and braid clamped on each plug",
+        dimension: Length,
+        bounds: NotNegative,
+        ..optional!(terminals.insertion_mm)
+    }
 
-/// c
-pub static SLIP: Measure = Measure {
-    key: "terminals.slip",
-    field: Some("slip_mm_per_n"),
-    label: "slip of both ends",
-    about: "Slip of both ends together per newton of clamp load",
-    comment: "slip of both ends together per newton of clamp load",
-    dimension: Compliance,
-    bounds: NotNegative,
-    default: Some(0.0),
-    is_shown: true,
-    digested: true,
-    identify: Some(Identify {
-        also: &["slip"],
-        scale: Scale::LengthPerPull,
-        start: Some(0.002),
-        bounds: (0.0, 0.2),
-        ..Identify::UNKNOWN
-    }),
-    ..optional!(terminals.slip_mm_per_n)
-};
+    /// δ
+    SEATING {
+        key: "terminals.seating",
+        field: Some("seating_mm"),
+        label: "seating of both ends",
+        about: "Seating: total displacement of both ends under load",
+        comment: "total displacement of both ends under load",
+        dimension: Length,
+        bounds: NotNegative,
+        default: Some(0.0),
+        is_shown: true,
+        digested: true,
+        identify: Some(Identify {
+            also: &["seating"],
+            scale: Scale::Length,
+            start: Some(0.002),
+            bounds: (0.0, 0.2),
+            ..Identify::UNKNOWN
+        }),
+        ..optional!(terminals.seating_mm)
+    }
 
-/// h
-pub static GRIP: Measure = Measure {
-    key: "terminals.grip",
-    field: Some("grip_mm"),
-    label: "clamped length",
-    about: "Length at each end, within L0, in which tube and braid are clamped",
-    comment: "clamped at each end, within the length",
-    dimension: Length,
-    bounds: NotNegative,
-    default: Some(0.0),
-    is_shown: true,
-    digested: true,
-    identify: Some(Identify {
-        also: &["grip"],
-        scale: Scale::Length,
-        start: Some(0.005),
-        bounds: (0.0, 0.2),
-        ..Identify::UNKNOWN
-    }),
-    ..optional!(terminals.grip_mm)
-};
+    /// c
+    SLIP {
+        key: "terminals.slip",
+        field: Some("slip_mm_per_n"),
+        label: "slip of both ends",
+        about: "Slip of both ends together per newton of clamp load",
+        comment: "slip of both ends together per newton of clamp load",
+        dimension: Compliance,
+        bounds: NotNegative,
+        default: Some(0.0),
+        is_shown: true,
+        digested: true,
+        identify: Some(Identify {
+            also: &["slip"],
+            scale: Scale::LengthPerPull,
+            start: Some(0.002),
+            bounds: (0.0, 0.2),
+            ..Identify::UNKNOWN
+        }),
+        ..optional!(terminals.slip_mm_per_n)
+    }
 
-/// Diameter of the plugs
-pub static PLUG_DIAMETER: Measure = Measure {
-    key: "terminals.plug_diameter",
-    field: Some("plug_diameter_mm"),
-    symbol: "Dp",
-    label: "diameter of the plugs",
-    about: "Outer diameter of the plugs on which tube and braid are clamped; the bore of the \
-        tube where none is stated",
-    comment: "on which the tube is drawn; its bore where none is stated",
-    dimension: Length,
-    is_shown: true,
-    models: &["fe", "fe3d", "universal"],
-    digested: true,
-    identify: Some(Identify {
-        also: &["plug-diameter"],
-        scale: Scale::Bore,
-        start: Some(1.0),
-        bounds: (0.5, 2.0),
-        share: 0.1,
-        ..Identify::UNKNOWN
-    }),
-    ..optional!(terminals.plug_diameter_mm)
-};
+    /// h
+    GRIP {
+        key: "terminals.grip",
+        field: Some("grip_mm"),
+        label: "clamped length",
+        about: "Length at each end, within L0, in which tube and braid are clamped",
+        comment: "clamped at each end, within the length",
+        dimension: Length,
+        bounds: NotNegative,
+        default: Some(0.0),
+        is_shown: true,
+        digested: true,
+        identify: Some(Identify {
+            also: &["grip"],
+            scale: Scale::Length,
+            start: Some(0.005),
+            bounds: (0.0, 0.2),
+            ..Identify::UNKNOWN
+        }),
+        ..optional!(terminals.grip_mm)
+    }
 
-/// Pull-off force of a clamp
-pub static PULL_OFF: Measure = Measure {
-    key: "terminals.pull_off",
-    field: Some("pull_off_n"),
-    label: "pull-off force of a clamp",
-    about: "Axial load at which a clamp lets go of tube and braid",
-    comment: "axial load at which a clamp lets go; the burst pressure follows from it",
-    dimension: Force,
-    is_shown: true,
-    ..optional!(terminals.pull_off_n)
-};
+    /// Diameter of the plugs
+    PLUG_DIAMETER {
+        key: "terminals.plug_diameter",
+        field: Some("plug_diameter_mm"),
+        symbol: "Dp",
+        label: "diameter of the plugs",
+        about: "Outer diameter of the plugs on which tube and braid are clamped; the bore of the \
+            tube where none is stated",
+        comment: "on which the tube is drawn; its bore where none is stated",
+        dimension: Length,
+        is_shown: true,
+        models: &["fe", "fe3d", "universal"],
+        digested: true,
+        identify: Some(Identify {
+            also: &["plug-diameter"],
+            scale: Scale::Bore,
+            start: Some(1.0),
+            bounds: (0.5, 2.0),
+            share: 0.1,
+            ..Identify::UNKNOWN
+        }),
+        ..optional!(terminals.plug_diameter_mm)
+    }
 
-/// Rated pressure of the fittings
-pub static RATED_PRESSURE: Measure = Measure {
-    key: "terminals.rated_pressure",
-    field: Some("rated_pressure_mpa"),
-    label: "rated pressure of the fittings",
-    about: "Pressure for which plugs and fittings are rated",
-    comment: "of plugs and fittings; the allowed pressure is at most this",
-    dimension: Pressure,
-    is_shown: true,
-    ..optional!(terminals.rated_pressure_mpa)
-};
+    /// Pull-off force of a clamp
+    PULL_OFF {
+        key: "terminals.pull_off",
+        field: Some("pull_off_n"),
+        label: "pull-off force of a clamp",
+        about: "Axial load at which a clamp lets go of tube and braid",
+        comment: "axial load at which a clamp lets go; the burst pressure follows from it",
+        dimension: Force,
+        is_shown: true,
+        ..optional!(terminals.pull_off_n)
+    }
 
-/// k of Tondu & Lopez; what depends on the pressure is at zero pressure here
-pub static END_FACTOR: Measure = Measure {
-    key: "terminals.end_factor",
-    field: Some("end_factor"),
-    symbol: "k",
-    label: "end factor",
-    about: "Empirical end factor k of Tondu & Lopez",
-    has_rules: true,
-    bounds: OfPart,
-    models: &["tondu-lopez", "thick-wall"],
-    identify: Some(Identify {
-        also: &["end-factor"],
-        start: Some(1.0),
-        share: 0.2,
-        ..Identify::UNKNOWN
-    }),
-    get: |p| p.terminals.end_factor.map(|k| k.at(0.0)),
-    set: |p, v| p.terminals.end_factor = Some(EndFactor::Constant(v)),
-    ..Measure::NONE
-};
+    /// Rated pressure of the fittings
+    RATED_PRESSURE {
+        key: "terminals.rated_pressure",
+        field: Some("rated_pressure_mpa"),
+        label: "rated pressure of the fittings",
+        about: "Pressure for which plugs and fittings are rated",
+        comment: "of plugs and fittings; the allowed pressure is at most this",
+        dimension: Pressure,
+        is_shown: true,
+        ..optional!(terminals.rated_pressure_mpa)
+    }
 
-/// k of one strand family. No field: in requests `stiffness` is a number or a name, which no
-/// measure is
-pub static STIFFNESS: Measure = Measure {
-    key: "braid.stiffness",
-    symbol: "k",
-    label: "stiffness of a strand family",
-    about: "Stiffness k of one strand family",
-    comment: "k of one strand family: \"321 N/mm\", \"inextensible\", or \"paper\"",
-    dimension: Stiffness,
-    has_rules: true,
-    bounds: OfPart,
-    get: |p| p.braid.family_stiffness_n_per_mm(&p.tube),
-    set: |p, v| p.braid.stiffness = BraidStiffness::NewtonPerMm(v),
-    ..Measure::NONE
-};
+    /// k of Tondu & Lopez; what depends on the pressure is at zero pressure here
+    END_FACTOR {
+        key: "terminals.end_factor",
+        field: Some("end_factor"),
+        symbol: "k",
+        label: "end factor",
+        about: "Empirical end factor k of Tondu & Lopez",
+        has_rules: true,
+        bounds: OfPart,
+        models: &["tondu-lopez", "thick-wall"],
+        identify: Some(Identify {
+            also: &["end-factor"],
+            start: Some(1.0),
+            share: 0.2,
+            ..Identify::UNKNOWN
+        }),
+        get: |p| p.terminals.end_factor.map(|k| k.at(0.0)),
+        set: |p, v| p.terminals.end_factor = Some(EndFactor::Constant(v)),
+        ..Measure::NONE
+    }
 
-/// fk
-pub static STIFFNESS_FACTOR: Measure = Measure {
-    key: "braid.stiffness_factor",
-    field: Some("stiffness_factor"),
-    symbol: "fk",
-    label: "stiffness known within a factor of",
-    about: "Factor within which the stiffness of the strands is known",
-    comment: "the stiffness is known within this factor; the ± of the pull carries it",
-    has_rules: true,
-    bounds: Between(1.0, 10.0),
-    default: Some(1.0),
-    get: |p| Some(p.braid.stiffness_factor).filter(|v| *v != 1.0),
-    set: |p, v| p.braid.stiffness_factor = v,
-    ..Measure::NONE
-};
+    /// k of one strand family. No field: in requests `stiffness` is a number or a name, which no
+    /// measure is
+    STIFFNESS {
+        key: "braid.stiffness",
+        symbol: "k",
+        label: "stiffness of a strand family",
+        about: "Stiffness k of one strand family",
+        comment: "k of one strand family: \"321 N/mm\", \"inextensible\", or \"paper\"",
+        dimension: Stiffness,
+        has_rules: true,
+        bounds: OfPart,
+        get: |p| p.braid.family_stiffness_n_per_mm(&p.tube),
+        set: |p, v| p.braid.stiffness = BraidStiffness::NewtonPerMm(v),
+        ..Measure::NONE
+    }
 
-/// N
-pub static STRANDS: Measure = Measure {
-    key: "braid.strands",
-    field: Some("strands"),
-    symbol: "N",
-    label: "number of strands",
-    about: "Number N of strands, both families together",
-    comment: "both families together",
-    has_rules: true,
-    bounds: Even,
-    get: |p| p.braid.strands.map(|s| f64::from(s.count)),
-    set: |p, v| strands(p).count = v as u32,
-    ..Measure::NONE
-};
+    /// fk
+    STIFFNESS_FACTOR {
+        key: "braid.stiffness_factor",
+        field: Some("stiffness_factor"),
+        symbol: "fk",
+        label: "stiffness known within a factor of",
+        about: "Factor within which the stiffness of the strands is known",
+        comment: "the stiffness is known within this factor; the ± of the pull carries it",
+        has_rules: true,
+        bounds: Between(1.0, 10.0),
+        default: Some(1.0),
+        get: |p| Some(p.braid.stiffness_factor).filter(|v| *v != 1.0),
+        set: |p, v| p.braid.stiffness_factor = v,
+        ..Measure::NONE
+    }
 
-/// Factor of the number of strands
-pub static STRANDS_FACTOR: Measure = Measure {
-    key: "braid.strands_factor",
-    field: Some("strands_factor"),
-    label: "number of strands known within a factor of",
-    about: "Factor by which there may be fewer strands; the allowed pressure carries it",
-    comment: "there may be fewer by this factor; the allowed pressure carries it",
-    has_rules: true,
-    bounds: Between(1.0, 10.0),
-    beside: Some((&STRANDS, "how many strands there are at most")),
-    get: |p| Some(p.braid.strands?.count_factor).filter(|v| *v != 1.0),
-    set: |p, v| strands(p).count_factor = v,
-    ..Measure::NONE
-};
+    /// N
+    STRANDS {
+        key: "braid.strands",
+        field: Some("strands"),
+        symbol: "N",
+        label: "number of strands",
+        about: "Number N of strands, both families together",
+        comment: "both families together",
+        has_rules: true,
+        bounds: Even,
+        get: |p| p.braid.strands.map(|s| f64::from(s.count)),
+        set: |p, v| strands(p).count = v as u32,
+        ..Measure::NONE
+    }
 
-/// A of one strand
-pub static STRAND_AREA: Measure = Measure {
-    key: "braid.strand_area",
-    field: Some("strand_area_mm2"),
-    symbol: "A",
-    label: "cross-section of a strand",
-    about: "Cross-section A of one strand",
-    comment: "of one strand",
-    dimension: Area,
-    has_rules: true,
-    get: |p| p.braid.strands?.area_mm2,
-    set: |p, v| strands(p).area_mm2 = Some(v),
-    ..Measure::NONE
-};
+    /// Factor of the number of strands
+    STRANDS_FACTOR {
+        key: "braid.strands_factor",
+        field: Some("strands_factor"),
+        label: "number of strands known within a factor of",
+        about: "Factor by which there may be fewer strands; the allowed pressure carries it",
+        comment: "there may be fewer by this factor; the allowed pressure carries it",
+        has_rules: true,
+        bounds: Between(1.0, 10.0),
+        beside: Some((&STRANDS, "how many strands there are at most")),
+        get: |p| Some(p.braid.strands?.count_factor).filter(|v| *v != 1.0),
+        set: |p, v| strands(p).count_factor = v,
+        ..Measure::NONE
+    }
 
-/// E of the strands; its flag is beside those of named sleeves
-pub static STRAND_MODULUS: Measure = Measure {
-    key: "braid.strand_modulus",
-    field: Some("strand_modulus_mpa"),
-    symbol: "E",
-    label: "Young's modulus of a strand",
-    about: "Young's modulus E of the strands",
-    dimension: Pressure,
-    has_rules: true,
-    get: |p| p.braid.strands?.modulus_mpa,
-    set: |p, v| strands(p).modulus_mpa = Some(v),
-    ..Measure::NONE
-};
+    /// A of one strand
+    STRAND_AREA {
+        key: "braid.strand_area",
+        field: Some("strand_area_mm2"),
+        symbol: "A",
+        label: "cross-section of a strand",
+        about: "Cross-section A of one strand",
+        comment: "of one strand",
+        dimension: Area,
+        has_rules: true,
+        get: |p| p.braid.strands?.area_mm2,
+        set: |p, v| strands(p).area_mm2 = Some(v),
+        ..Measure::NONE
+    }
 
-/// Strength of one strand
-pub static STRAND_STRENGTH: Measure = Measure {
-    key: "braid.strand_strength",
-    field: Some("strand_strength_n"),
-    label: "strength of a strand",
-    about: "Force at which one strand breaks",
-    comment: "force at which one strand breaks",
-    dimension: Force,
-    has_rules: true,
-    get: |p| p.braid.strands?.strength_n,
-    set: |p, v| strands(p).strength_n = Some(v),
-    ..Measure::NONE
-};
+    /// E of the strands; its flag is beside those of named sleeves
+    STRAND_MODULUS {
+        key: "braid.strand_modulus",
+        field: Some("strand_modulus_mpa"),
+        symbol: "E",
+        label: "Young's modulus of a strand",
+        about: "Young's modulus E of the strands",
+        dimension: Pressure,
+        has_rules: true,
+        get: |p| p.braid.strands?.modulus_mpa,
+        set: |p, v| strands(p).modulus_mpa = Some(v),
+        ..Measure::NONE
+    }
 
-/// Factor of the strength of the strands
-pub static STRENGTH_FACTOR: Measure = Measure {
-    key: "braid.strand_strength_factor",
-    field: Some("strand_strength_factor"),
-    label: "strength of a strand known within a factor of",
-    about: "Factor by which the strands may be weaker; the allowed pressure carries it",
-    comment: "they may be weaker by this factor; the allowed pressure carries it",
-    has_rules: true,
-    bounds: Between(1.0, 10.0),
-    beside: Some((&STRAND_STRENGTH, "the strength that is known within it")),
-    get: |p| Some(p.braid.strands?.strength_factor).filter(|v| *v != 1.0),
-    set: |p, v| strands(p).strength_factor = v,
-    ..Measure::NONE
-};
+    /// Strength of one strand
+    STRAND_STRENGTH {
+        key: "braid.strand_strength",
+        field: Some("strand_strength_n"),
+        label: "strength of a strand",
+        about: "Force at which one strand breaks",
+        comment: "force at which one strand breaks",
+        dimension: Force,
+        has_rules: true,
+        get: |p| p.braid.strands?.strength_n,
+        set: |p, v| strands(p).strength_n = Some(v),
+        ..Measure::NONE
+    }
 
-/// b
-pub static STRANDS_PER_CARRIER: Measure = Measure {
-    key: "braid.strands_per_carrier",
-    field: Some("strands_per_carrier"),
-    symbol: "b",
-    label: "strands per carrier",
-    about: "Strands that lie side by side on a carrier of the braiding machine",
-    comment: "side by side, which leaves openings between them",
-    has_rules: true,
-    bounds: Between(1.0, 100.0),
-    ..optional!(braid.strands_per_carrier)
-};
+    /// Factor of the strength of the strands
+    STRENGTH_FACTOR {
+        key: "braid.strand_strength_factor",
+        field: Some("strand_strength_factor"),
+        label: "strength of a strand known within a factor of",
+        about: "Factor by which the strands may be weaker; the allowed pressure carries it",
+        comment: "they may be weaker by this factor; the allowed pressure carries it",
+        has_rules: true,
+        bounds: Between(1.0, 10.0),
+        beside: Some((&STRAND_STRENGTH, "the strength that is known within it")),
+        get: |p| Some(p.braid.strands?.strength_factor).filter(|v| *v != 1.0),
+        set: |p, v| strands(p).strength_factor = v,
+        ..Measure::NONE
+    }
 
-/// b of Belforte
-pub static STRAND_LENGTH: Measure = Measure {
-    key: "braid.strand_length",
-    field: Some("strand_length_mm"),
-    symbol: "b",
-    label: "measured length of a strand",
-    about: "Length of one strand measured on the muscle",
-    comment: "measured on the muscle, rounded ends included",
-    dimension: Length,
-    models: &["belforte"],
-    beside: Some((
-        &TURNS,
-        "a strand measured on the muscle has both its length and its \
-        turns",
-    )),
-    get: |p| Some(p.braid.measured?.strand_length_mm),
-    set: |p, v| measured(p).strand_length_mm = v,
-    ..Measure::NONE
-};
+    /// b
+    STRANDS_PER_CARRIER {
+        key: "braid.strands_per_carrier",
+        field: Some("strands_per_carrier"),
+        symbol: "b",
+        label: "strands per carrier",
+        about: "Strands that lie side by side on a carrier of the braiding machine",
+        comment: "side by side, which leaves openings between them",
+        has_rules: true,
+        bounds: Between(1.0, 100.0),
+        ..optional!(braid.strands_per_carrier)
+    }
 
-/// n of Belforte
-pub static TURNS: Measure = Measure {
-    key: "braid.turns",
-    field: Some("turns"),
-    symbol: "n",
-    label: "measured turns of a strand",
-    about: "Turns of that strand",
-    models: &["belforte"],
-    beside: Some((
-        &STRAND_LENGTH,
-        "a strand measured on the muscle has both its length \
-        and its turns",
-    )),
-    get: |p| Some(p.braid.measured?.turns),
-    set: |p, v| measured(p).turns = v,
-    ..Measure::NONE
-};
+    /// b of Belforte
+    STRAND_LENGTH {
+        key: "braid.strand_length",
+        field: Some("strand_length_mm"),
+        symbol: "b",
+        label: "measured length of a strand",
+        about: "Length of one strand measured on the muscle",
+        comment: "measured on the muscle, rounded ends included",
+        dimension: Length,
+        models: &["belforte"],
+        beside: Some((
+            &TURNS,
+            "a strand measured on the muscle has both its length and its \
+            turns",
+        )),
+        get: |p| Some(p.braid.measured?.strand_length_mm),
+        set: |p, v| measured(p).strand_length_mm = v,
+        ..Measure::NONE
+    }
 
-/// P0
-pub static TAKE_UP: Measure = Measure {
-    key: "braid.take_up",
-    field: Some("take_up_mpa"),
-    symbol: "P0",
-    label: "take-up pressure",
-    about: "Take-up pressure P0: what takes up the slack of the braid before the muscle pulls",
-    comment: "takes up the slack of the braid before the muscle pulls",
-    dimension: Pressure,
-    bounds: NotNegative,
-    default: Some(0.0),
-    is_shown: true,
-    digested: true,
-    identify: Some(Identify {
-        also: &["take-up"],
-        start: Some(0.02),
-        bounds: (0.0, 0.2),
-        limit: Some(0.02),
-        ..Identify::UNKNOWN
-    }),
-    ..optional!(braid.take_up_mpa)
-};
+    /// n of Belforte
+    TURNS {
+        key: "braid.turns",
+        field: Some("turns"),
+        symbol: "n",
+        label: "measured turns of a strand",
+        about: "Turns of that strand",
+        models: &["belforte"],
+        beside: Some((
+            &STRAND_LENGTH,
+            "a strand measured on the muscle has both its length \
+            and its turns",
+        )),
+        get: |p| Some(p.braid.measured?.turns),
+        set: |p, v| measured(p).turns = v,
+        ..Measure::NONE
+    }
 
-/// t
-pub static THICKNESS: Measure = Measure {
-    key: "braid.thickness",
-    field: Some("braid_thickness_mm"),
-    symbol: "t",
-    label: "thickness of the braid",
-    about: "Thickness t of the braid, both layers of strands",
-    comment: "both layers: the midline of the strands is half of it above the tube",
-    dimension: Length,
-    bounds: NotNegative,
-    default: Some(0.0),
-    is_shown: true,
-    identify: Some(Identify {
-        scale: Scale::Diameter,
-        start: Some(0.02),
-        bounds: (1e-6, 0.3),
-        ..Identify::UNKNOWN
-    }),
-    get: |p| Some(p.braid.thickness_mm).filter(|t| *t != 0.0),
-    set: |p, v| p.braid.thickness_mm = v,
-    ..Measure::NONE
-};
+    /// P0
+    TAKE_UP {
+        key: "braid.take_up",
+        field: Some("take_up_mpa"),
+        symbol: "P0",
+        label: "take-up pressure",
+        about: "Take-up pressure P0: what takes up the slack of the braid before the muscle pulls",
+        comment: "takes up the slack of the braid before the muscle pulls",
+        dimension: Pressure,
+        bounds: NotNegative,
+        default: Some(0.0),
+        is_shown: true,
+        digested: true,
+        identify: Some(Identify {
+            also: &["take-up"],
+            start: Some(0.02),
+            bounds: (0.0, 0.2),
+            limit: Some(0.02),
+            ..Identify::UNKNOWN
+        }),
+        ..optional!(braid.take_up_mpa)
+    }
 
-/// Ds
-pub static SLEEVE_DIAMETER: Measure = Measure {
-    key: "braid.diameter",
-    field: Some("braid_diameter_mm"),
-    symbol: "Ds",
-    label: "inner diameter of the sleeve",
-    about: "Inner diameter Ds of a sleeve wider than the tube, at its angle",
-    comment: "inside, at the angle above: a sleeve wider than the tube",
-    dimension: Length,
-    is_shown: true,
-    digested: true,
-    identify: Some(Identify {
-        scale: Scale::Diameter,
-        start: Some(1.01),
-        bounds: (1.0, 1.5),
-        share: 0.1,
-        ..Identify::UNKNOWN
-    }),
-    ..optional!(braid.diameter_mm)
-};
+    /// t
+    THICKNESS {
+        key: "braid.thickness",
+        field: Some("braid_thickness_mm"),
+        symbol: "t",
+        label: "thickness of the braid",
+        about: "Thickness t of the braid, both layers of strands",
+        comment: "both layers: the midline of the strands is half of it above the tube",
+        dimension: Length,
+        bounds: NotNegative,
+        default: Some(0.0),
+        is_shown: true,
+        identify: Some(Identify {
+            scale: Scale::Diameter,
+            start: Some(0.02),
+            bounds: (1e-6, 0.3),
+            ..Identify::UNKNOWN
+        }),
+        get: |p| Some(p.braid.thickness_mm).filter(|t| *t != 0.0),
+        set: |p, v| p.braid.thickness_mm = v,
+        ..Measure::NONE
+    }
 
-/// c1
-pub static CRIMP: Measure = Measure {
-    key: "braid.crimp",
-    field: Some("crimp"),
-    symbol: "c1",
-    label: "crimp of the strands",
-    about: "Strain c1 at which the strands are straight",
-    comment: "strain at which the strands are straight",
-    is_shown: true,
-    identify: Some(Identify {
-        start: Some(0.005),
-        bounds: (1e-6, 0.1),
-        ..Identify::UNKNOWN
-    }),
-    is_share: true,
-    get: |p| Some(p.braid.crimp?.strain),
-    set: |p, v| crimp(p).strain = v,
-    ..Measure::NONE
-};
+    /// Ds
+    SLEEVE_DIAMETER {
+        key: "braid.diameter",
+        field: Some("braid_diameter_mm"),
+        symbol: "Ds",
+        label: "inner diameter of the sleeve",
+        about: "Inner diameter Ds of a sleeve wider than the tube, at its angle",
+        comment: "inside, at the angle above: a sleeve wider than the tube",
+        dimension: Length,
+        is_shown: true,
+        digested: true,
+        identify: Some(Identify {
+            scale: Scale::Diameter,
+            start: Some(1.01),
+            bounds: (1.0, 1.5),
+            share: 0.1,
+            ..Identify::UNKNOWN
+        }),
+        ..optional!(braid.diameter_mm)
+    }
 
-/// κ
-pub static CRIMP_STIFFNESS: Measure = Measure {
-    key: "braid.crimp_stiffness",
-    field: Some("crimp_stiffness"),
-    symbol: "κ",
-    label: "stiffness share in the crimp",
-    about: "Share κ of their stiffness that the strands have before they are straight",
-    comment: "before that, as a share of their stiffness",
-    is_shown: true,
-    beside: Some((
-        &CRIMP,
-        "the strain at which the strands are straight, such as '1%'",
-    )),
-    get: |p| Some(p.braid.crimp?.stiffness_ratio),
-    set: |p, v| crimp(p).stiffness_ratio = v,
-    ..Measure::NONE
-};
+    /// c1
+    CRIMP {
+        key: "braid.crimp",
+        field: Some("crimp"),
+        symbol: "c1",
+        label: "crimp of the strands",
+        about: "Strain c1 at which the strands are straight",
+        comment: "strain at which the strands are straight",
+        is_shown: true,
+        identify: Some(Identify {
+            start: Some(0.005),
+            bounds: (1e-6, 0.1),
+            ..Identify::UNKNOWN
+        }),
+        is_share: true,
+        get: |p| Some(p.braid.crimp?.strain),
+        set: |p, v| crimp(p).strain = v,
+        ..Measure::NONE
+    }
 
-/// C
-pub static FRICTION_COEFFICIENT: Measure = Measure {
-    key: "friction.coefficient",
-    field: Some("friction_coefficient"),
-    symbol: "C",
-    label: "friction coefficient",
-    about: "Coefficient C of the friction C·P^β, P in MPa",
-    comment: "C in N/MPa^β: half-width C·P^β of the hysteresis",
-    unit: Some("N/MPa^β"),
-    bounds: NotNegative,
-    beside: Some((
-        &FRICTION_EXPONENT,
-        "friction is C·P^β: coefficient C in N/MPa^β and exponent \
-        β",
-    )),
-    identify: Some(Identify {
-        also: &["friction.c"],
-        ..Identify::UNKNOWN
-    }),
-    get: |p| Some(power_law(p)?.coefficient),
-    set: |p, v| friction(p).coefficient = v,
-    ..Measure::NONE
-};
+    /// κ
+    CRIMP_STIFFNESS {
+        key: "braid.crimp_stiffness",
+        field: Some("crimp_stiffness"),
+        symbol: "κ",
+        label: "stiffness share in the crimp",
+        about: "Share κ of their stiffness that the strands have before they are straight",
+        comment: "before that, as a share of their stiffness",
+        is_shown: true,
+        beside: Some((
+            &CRIMP,
+            "the strain at which the strands are straight, such as '1%'",
+        )),
+        get: |p| Some(p.braid.crimp?.stiffness_ratio),
+        set: |p, v| crimp(p).stiffness_ratio = v,
+        ..Measure::NONE
+    }
 
-/// β
-pub static FRICTION_EXPONENT: Measure = Measure {
-    key: "friction.exponent",
-    field: Some("friction_exponent"),
-    symbol: "β",
-    label: "friction exponent",
-    about: "Exponent β of the friction C·P^β",
-    comment: "β",
-    bounds: NotNegative,
-    beside: Some((
-        &FRICTION_COEFFICIENT,
-        "friction is C·P^β: coefficient C in N/MPa^β and \
-        exponent β",
-    )),
-    identify: Some(Identify {
-        also: &["friction.beta"],
-        start: Some(0.6),
-        bounds: (0.0, 3.0),
-        limit: Some(0.5),
-        ..Identify::UNKNOWN
-    }),
-    get: |p| Some(power_law(p)?.exponent),
-    set: |p, v| friction(p).exponent = v,
-    ..Measure::NONE
-};
+    /// C
+    FRICTION_COEFFICIENT {
+        key: "friction.coefficient",
+        field: Some("friction_coefficient"),
+        symbol: "C",
+        label: "friction coefficient",
+        about: "Coefficient C of the friction C·P^β, P in MPa",
+        comment: "C in N/MPa^β: half-width C·P^β of the hysteresis",
+        unit: Some("N/MPa^β"),
+        bounds: NotNegative,
+        beside: Some((
+            &FRICTION_EXPONENT,
+            "friction is C·P^β: coefficient C in N/MPa^β and exponent \
+            β",
+        )),
+        identify: Some(Identify {
+            also: &["friction.c"],
+            ..Identify::UNKNOWN
+        }),
+        get: |p| Some(power_law(p)?.coefficient),
+        set: |p, v| friction(p).coefficient = v,
+        ..Measure::NONE
+    }
 
-/// μw
-pub static FRICTION_LEVER: Measure = Measure {
-    key: "friction.lever",
-    field: Some("friction_lever_mm"),
-    symbol: "μw",
-    label: "friction lever",
-    about: "Coefficient of friction times lever of the strands' crossings, μw",
-    comment: "μw: coefficient of friction times lever of the strands' crossings",
-    dimension: Length,
-    bounds: NotNegative,
-    identify: Some(Identify {
-        start: Some(1.0),
-        ..Identify::UNKNOWN
-    }),
-    get: |p| Some(p.friction?.lever_mm).filter(|l| *l != 0.0),
-    set: |p, v| friction(p).lever_mm = v,
-    ..Measure::NONE
-};
+    /// β
+    FRICTION_EXPONENT {
+        key: "friction.exponent",
+        field: Some("friction_exponent"),
+        symbol: "β",
+        label: "friction exponent",
+        about: "Exponent β of the friction C·P^β",
+        comment: "β",
+        bounds: NotNegative,
+        beside: Some((
+            &FRICTION_COEFFICIENT,
+            "friction is C·P^β: coefficient C in N/MPa^β and \
+            exponent β",
+        )),
+        identify: Some(Identify {
+            also: &["friction.beta"],
+            start: Some(0.6),
+            bounds: (0.0, 3.0),
+            limit: Some(0.5),
+            ..Identify::UNKNOWN
+        }),
+        get: |p| Some(power_law(p)?.exponent),
+        set: |p, v| friction(p).exponent = v,
+        ..Measure::NONE
+    }
 
-/// xs
-pub static FRICTION_PRESLIDING: Measure = Measure {
-    key: "friction.presliding",
-    field: Some("friction_presliding_mm"),
-    symbol: "xs",
-    label: "presliding length",
-    about: "Presliding length xs, over which the friction builds up after a reversal",
-    comment: "length over which the friction builds up after a reversal",
-    dimension: Length,
-    default: Some(0.5),
-    is_shown: true,
-    identify: Some(Identify {
-        start: Some(0.5),
-        bounds: (0.001, 100.0),
-        ..Identify::UNKNOWN
-    }),
-    get: |p| p.friction?.presliding_mm,
-    set: |p, v| friction(p).presliding_mm = Some(v),
-    ..Measure::NONE
-};
+    /// μw
+    FRICTION_LEVER {
+        key: "friction.lever",
+        field: Some("friction_lever_mm"),
+        symbol: "μw",
+        label: "friction lever",
+        about: "Coefficient of friction times lever of the strands' crossings, μw",
+        comment: "μw: coefficient of friction times lever of the strands' crossings",
+        dimension: Length,
+        bounds: NotNegative,
+        identify: Some(Identify {
+            start: Some(1.0),
+            ..Identify::UNKNOWN
+        }),
+        get: |p| Some(p.friction?.lever_mm).filter(|l| *l != 0.0),
+        set: |p, v| friction(p).lever_mm = v,
+        ..Measure::NONE
+    }
+
+    /// xs
+    FRICTION_PRESLIDING {
+        key: "friction.presliding",
+        field: Some("friction_presliding_mm"),
+        symbol: "xs",
+        label: "presliding length",
+        about: "Presliding length xs, over which the friction builds up after a reversal",
+        comment: "length over which the friction builds up after a reversal",
+        dimension: Length,
+        default: Some(0.5),
+        is_shown: true,
+        identify: Some(Identify {
+            start: Some(0.5),
+            bounds: (0.001, 100.0),
+            ..Identify::UNKNOWN
+        }),
+        get: |p| p.friction?.presliding_mm,
+        set: |p, v| friction(p).presliding_mm = Some(v),
+        ..Measure::NONE
+    }
+}
 
 fn strands(p: &mut Parts) -> &mut Strands {
     p.braid.strands.get_or_insert(Strands::new(0, None, None))
