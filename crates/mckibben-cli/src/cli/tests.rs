@@ -97,7 +97,7 @@ fn helps(command: &mut clap::Command) -> String {
 #[test]
 fn flags_of_the_pages_exist() {
     /// Lines of other programs and of scripts of this repository.
-    const OTHERS: [&str; 5] = ["cargo ", "checks/", "web/", "mypy ", "rustc "];
+    const OTHERS: [&str; 6] = ["cargo ", "checks/", "web/", "mypy ", "rustc ", "taplo "];
     let mut all = command();
     all.build();
     let known = flags(&helps(&mut all));
