@@ -202,11 +202,8 @@ impl From<File> for BuiltFile {
 
 /// All that is needed to build a muscle.
 pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAnswer> {
-    let fields = [
-        ("contraction", request.contraction.is_some()),
-        ("name", request.title_block != TitleBlock::default()),
-    ];
     if !request.report {
+        let fields = [("contraction", request.contraction.is_some())];
         Problem::refuse_unused(&fields, "it is part of the report, and `report` is not set")?;
     }
     let (mut plan, burst) = planned(request)?;
@@ -219,7 +216,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         .map(|file| named(file, request.muscle.file()))
         .map(BuiltFile::from)
         .collect();
-    let [drawing, ..] = mckibben_build::drawings(&plan);
+    let drawing = mckibben_build::drawing(&plan);
     let document = request
         .report
         .then(|| report(request, (&plan, &burst, &drawing), progress))

@@ -1,9 +1,10 @@
 //! The bill of materials.
 
 use crate::{
-    Cut, Plan, SleeveCut, build_sheet,
+    Cut, Plan, SleeveCut,
     ends::{BOLT_BAND_MM, BOLT_MM, Press},
     mould::Mould,
+    paper,
     plug::Plug,
     text::{mm, significant},
 };
@@ -184,7 +185,7 @@ pub fn bill(plan: &Plan) -> Vec<BuildPart> {
     parts.extend(ends.press.map(|press| pressed(plan, press)));
     if plan.is_cast() {
         let mould = Mould::new(&plan.cut);
-        let mixed = build_sheet::mixed_ml(plan);
+        let mixed = paper::mixed_ml(plan);
         let size = format!("{mixed} mL in all; release agent, syringe of 60 mL, scale");
         parts.push(bought(10, "silicone for the tube, parts A and B", size, 1));
         let size = format!(

@@ -131,29 +131,13 @@ impl Plan {
 pub fn markdown(plan: &Plan, files: &[File]) -> String {
     let plain = |text: String| clean::markdown(&text);
     let title = plain(plan.title());
-    let verdict = joined(plan.verdict().into_iter().map(plain), "\n");
+    let verdict = plain(plan.verdict().join(" "));
     let stops = plan.stops().into_iter();
     let stops = joined(stops.map(|text| format!("> - {}", plain(text))), "\n");
-    let link = |file: &File| format!("| [{0}]({0}) | {1} |", file.name, file.about);
-    let files = joined(files.iter().map(link), "\n");
-    let made = if plan.air_plug.is_printed() {
-        "Print the plugs"
-    } else {
-        "Have the plugs turned"
-    };
-    let work = [
-        "Buy what `bom.csv` lists.".to_owned(),
-        format!("{made} by their sheets."),
-        "Build it by the build sheet, and write down the as-built values.".into(),
-        "Prove it with water, then test it for leaks, by the test record.".into(),
-        "Measure it by `test.csv`; `mckibben identify muscle.toml --data test.csv -o found.toml` \
-         writes the muscle as it was built."
-            .into(),
-    ];
-    let work = work.iter().enumerate();
-    let work = joined(work.map(|(i, text)| format!("{}. {text}", i + 1)), "\n");
+    let link = |file: &File| format!("[{0}]({0}): {1}", file.name, file.about);
+    let files = joined(files.iter().map(link), "; ");
     format!(
-        "# {title}\n\n{verdict}\n\n> **STOP**\n{stops}\n\n## Order of work\n\n{work}\n\n\
-         | file | |\n|---|---|\n{files}\n"
+        "# {title}\n\n{verdict}\n\n> **STOP**\n{stops}\n\n{files}.\n\n\
+         Then `mckibben identify muscle.toml --data test.csv -o found.toml` writes the muscle as built.\n"
     )
 }

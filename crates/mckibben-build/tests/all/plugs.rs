@@ -157,8 +157,8 @@ fn the_stl_has_all_triangles() {
     let plan = plan_of(9.525, 1.5875, &Wishes::default());
     let all = files(&plan).unwrap();
     for (name, plug) in [
-        ("air-plug.stl", &plan.air_plug),
-        ("eye-plug.stl", &plan.eye_plug),
+        ("bodies/air-plug.stl", &plan.air_plug),
+        ("bodies/eye-plug.stl", &plan.eye_plug),
     ] {
         let file = all.iter().find(|f| f.name == name).unwrap();
         let Content::Bytes(stl) = &file.content else {

@@ -1,52 +1,68 @@
-//! The drawings of the plugs: a sheet for each, with its section, its end and its measures.
+//! Sheets as wide as the text of a page: scales in use, and a sheet for each plug with its section, its
+//! end and its measures.
 
 use crate::{
     Plan,
-    frame::{self, FRAME_MM, Title, largest},
     plug::Plug,
-    text::mm,
+    text::{mm, significant, trimmed},
     view::View,
 };
 use mckibben_report::{
-    Anchor, DrawingSheet,
+    Anchor::Start,
+    DrawingSheet, Part,
     Pen::{Axis, Outline},
 };
 
+/// Width in mm of the text of a page.
+pub const WIDTH_MM: f64 = 175.0;
 /// Room for section and end beside each other, and for their height, in mm.
-const ROOM_MM: (f64, f64) = (185.0, 80.0);
-const NOTES_MM: f64 = 2.3;
+const ROOM_MM: [f64; 2] = [120.0, 60.0];
+/// Scales in use (ISO 5455).
+const SCALES: [f64; 12] = [
+    5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001,
+];
 
-/// The sheet of a plug.
-pub fn on_paper(plan: &Plan, what: &str, plug: &Plug, number: usize) -> DrawingSheet {
-    let wide = plug.widest_mm();
-    let scale = largest(|s| s * (plug.length_mm + wide) <= ROOM_MM.0 && s * wide <= ROOM_MM.1);
-    let title = Title {
-        what,
-        material: plug.material.name,
-        mass_g: plug.mass_g(),
-        number: (number, 3),
-        scale,
+/// The largest scale at which something fits.
+pub fn largest(fits: impl Fn(f64) -> bool) -> f64 {
+    let fits = SCALES.into_iter().find(|s| fits(*s));
+    fits.unwrap_or(SCALES[SCALES.len() - 1])
+}
+
+/// An empty sheet that says below what it shows, and what holds for all its dimensions.
+pub fn sheet(plan: &Plan, what: &str, scale: f64, height_mm: f64) -> DrawingSheet {
+    let mut sheet = DrawingSheet::new(what.to_owned(), WIDTH_MM, height_mm);
+    let given = |name: &str| {
+        let field = plan.title_block.iter().find(|(field, _)| field == name);
+        field.map_or("", |(_, text)| text)
     };
-    let mut sheet = frame::sheet(plan, &title);
-    let [left, _, right, top] = FRAME_MM;
-    let y = 0.5 * (top + 60.0);
+    let [over, under] = [scale.max(1.0), (1.0 / scale).max(1.0)].map(|n| trimmed(n, 0));
+    let words = format!(
+        "{what}   {over}:{under}   {}, ISO 2768-m, first angle   {} {}",
+        plan.shown.length.name,
+        given("document no."),
+        given("revision")
+    );
+    sheet.text([0.0, 1.0], 2.1, Start, words);
+    sheet
+}
+
+/// The drawing of a plug, and what it does not show.
+pub fn plug(plan: &Plan, what: &str, plug: &Plug) -> [Part; 2] {
+    let wide = plug.widest_mm();
+    let scale = largest(|s| s * (plug.length_mm + wide) <= ROOM_MM[0] && s * wide <= ROOM_MM[1]);
+    let mass = significant(plug.mass_g(), 3);
+    let title = format!("{what}, {}, {mass} g", plug.stock());
+    let height = scale * wide + 60.0;
+    let mut sheet = sheet(plan, &title, scale, height);
     let mut view = View {
         sheet: &mut sheet,
-        origin: [left + 40.0, y],
+        origin: [6.0 + 0.5 * scale * wide, 32.0 + 0.5 * scale * wide],
         scale,
     };
+    end(plan, plug, &mut view);
+    view.origin[0] = WIDTH_MM - 6.0 - scale * plug.length_mm;
     section(plan, plug, &mut view);
-    let mut end = View {
-        sheet: &mut sheet,
-        origin: [right - 14.0 - 0.5 * scale * wide, y],
-        scale,
-    };
-    from_the_stem(plan, plug, &mut end);
-    for (i, note) in notes(plan, plug).iter().enumerate() {
-        let at = [left + 6.0, 52.0 - 4.8 * i as f64];
-        sheet.text(at, NOTES_MM, Anchor::Start, note);
-    }
-    sheet
+    [Part::Drawing(sheet), Part::List(notes(plan, plug))]
 }
 
 fn section(plan: &Plan, plug: &Plug, v: &mut View<'_>) {
@@ -99,18 +115,14 @@ fn section(plan: &Plan, plug: &Plug, v: &mut View<'_>) {
     }
 }
 
-/// The plug as seen from its stem.
-fn from_the_stem(plan: &Plan, plug: &Plug, v: &mut View<'_>) {
+/// The plug as seen from its head.
+fn end(plan: &Plan, plug: &Plug, v: &mut View<'_>) {
     let half = 0.5 * plug.side_mm;
     v.outline(
         Outline,
         &[[-half, -half], [half, -half], [half, half], [-half, half]],
     );
-    v.circle(Outline, plug.stem.widest_mm());
-    if let Some(port) = plug.port {
-        v.circle(Outline, port.passage_mm);
-    }
-    let reach = half + 2.5 / v.scale;
+    let reach = 0.5 * plug.widest_mm() + 2.5 / v.scale;
     v.line(Axis, &[[-reach, 0.0], [reach, 0.0]]);
     v.line(Axis, &[[0.0, -reach], [0.0, reach]]);
     let text = format!("□{}", plan.shown.bare(plug.side_mm));
