@@ -15,7 +15,7 @@ use base64::{Engine as _, engine::general_purpose::STANDARD};
 pub use mckibben_build::is_blank_sheet;
 use mckibben_build::{
     BuildPart, Content, Cut, EndLoads, File, Operating, Plan, PullAt, Safety, Shown, TestPoint,
-    ToMeasure, Wishes, relief_mpa,
+    ToMeasure, USUAL_PROOF, Wishes, relief_mpa,
 };
 use mckibben_core::{
     analysis::{Burst, Evaluation, STRETCH},
@@ -23,6 +23,7 @@ use mckibben_core::{
     built::{Built, Left},
     cancel,
     extremes::peak,
+    joint::parse_joint,
     model::Workspace,
     muscle::{Direction, EndsMade, JobPoint},
     progress::Progress,
@@ -40,7 +41,8 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct BuildRequest {
-    /// Working pressure [2.5bar, or the allowed pressure where that is lower]
+    /// Working pressure [2.5bar, or the allowed pressure where that is lower, or that at which a
+    /// proof test loads the ends with 1.5 times what use does]
     #[arg(short, long)]
     pub pressure_mpa: Option<Pressure>,
     /// Allow a working pressure above the allowed pressure, up to a proof test at three quarters of
@@ -276,9 +278,25 @@ fn named(mut file: File, given: Option<&TextFile>) -> File {
     file
 }
 
+/// A joint has no folder: its muscles have.
+fn of_joint(request: &BuildRequest) -> Option<Problem> {
+    let file = request.muscle.file()?;
+    let joint = parse_joint(&file.text).ok()?;
+    let mut names: Vec<&str> = joint.files().collect();
+    names.dedup();
+    let message = format!("{} is a joint, and a folder is of a muscle", file.name);
+    let hint = format!(
+        "build {}; at the neutral angle its heads are apart by L0 (1 - contraction_at_neutral) and \
+         the length on both plugs, as its folder states it",
+        names.join(", then ")
+    );
+    Some(ProblemKind::File.problem(message).with_hint(hint))
+}
+
 /// The plan of a muscle, and the pressures at which it fails.
 fn planned(request: &BuildRequest) -> Result<(Plan, Burst)> {
-    let muscle = request.muscle.resolve()?;
+    let muscle = request.muscle.resolve();
+    let muscle = muscle.map_err(|error| of_joint(request).unwrap_or(error))?;
     let fitting = request.fitting.as_deref().map(str::parse).transpose();
     let fitting = fitting.map_err(|e: mckibben_build::UnknownFitting| {
         ProblemKind::Usage.problem(e).in_field("fitting")
@@ -304,8 +322,13 @@ fn planned(request: &BuildRequest) -> Result<(Plan, Burst)> {
         title_block: request.title_block.fields(),
     };
     let pressure_mpa = above_zero("pressure_mpa", request.pressure_mpa.map(f64::from))?;
-    let (operating, burst) = operating(request, &muscle, pressure_mpa)?;
-    let plan = Plan::new(muscle, operating, &wishes).map_err(|error| {
+    let (mut found, mut burst) = operating(request, &muscle, pressure_mpa)?;
+    let loads = EndLoads::new(&muscle, &found);
+    if pressure_mpa.is_none() && muscle.job().is_none() && loads.proof_to_use < USUAL_PROOF {
+        let lower_mpa = loads.proved_mpa(&found, USUAL_PROOF);
+        (found, burst) = operating(request, &muscle, Some(lower_mpa))?;
+    }
+    let plan = Plan::new(muscle, found, &wishes).map_err(|error| {
         let field = error.fields.first().copied().unwrap_or_default();
         ProblemKind::OutOfRange
             .problem(error.message)

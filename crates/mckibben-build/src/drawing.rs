@@ -101,10 +101,7 @@ fn at_rest(body: &MuscleBody<'_>, v: &mut View<'_>) {
     let bare = |mm: f64| plan.shown.bare(mm);
     let free = format!("L₀ {}", bare(2.0 * half));
     v.across((-half, half), (0.5 * ro, 0.5 * ro), row, &free);
-    let on_plug = bare(end - half);
-    for x in [(-end, -half), (half, end)] {
-        v.across(x, (outer, outer), row, &on_plug);
-    }
+    v.across((half, end), (outer, outer), row, &bare(end - half));
     let faces = format!("between the heads {}", bare(plan.faces_mm(0.0)));
     v.across((-end, end), (outer, outer), row + 7.0, &faces);
     let [bore, tube, over] = [ri, ro, plan.over_sleeve_mm].map(bare);

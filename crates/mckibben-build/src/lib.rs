@@ -15,6 +15,8 @@ mod drawing;
 #[doc(hidden)]
 pub mod ends;
 mod fitting;
+#[doc(hidden)]
+pub mod frame;
 mod material;
 mod mesh;
 #[doc(hidden)]
@@ -37,7 +39,7 @@ pub use ends::Ends;
 pub use fitting::{Fitting, Thread, UnknownFitting};
 pub use material::BuildPart;
 pub use mesh::Mesh;
-pub use plan::{EndParts, Plan, Wishes};
+pub use plan::{EndParts, Plan, USUAL_PROOF, Wishes};
 pub use plug::{Bolt, Material, Plug, Port, Stress};
 #[doc(hidden)]
 pub use safety::energy_j;

@@ -95,7 +95,15 @@ impl EndLoads {
         [self.proof_end_load_n, self.proof_end_load_high_n]
     }
 
-    pub(crate) fn new(muscle: &Muscle, operating: &Operating) -> Self {
+    /// The pressure in MPa to work at, below the relief valve, where the proof loads the ends with so
+    /// many times what use does.
+    pub fn proved_mpa(&self, operating: &Operating, times: f64) -> f64 {
+        let relief_mpa = operating.in_use.pressure_mpa * self.proof_to_use / times;
+        rounded(relief_mpa / RELIEF, 2, f64::floor)
+    }
+
+    /// What each end of a muscle carries.
+    pub fn new(muscle: &Muscle, operating: &Operating) -> Self {
         let loads = |at: &PullAt| {
             at.range_n()
                 .map(|n| clamp_load_n(muscle, n.max(0.0), at.pressure_mpa))

@@ -4,6 +4,7 @@
 use crate::{
     Plan,
     plug::Plug,
+    stem::{RIB_MM, RIBS_END_MM},
     text::{mm, significant, trimmed},
     view::View,
 };
@@ -16,7 +17,7 @@ use mckibben_report::{
 /// Width in mm of the text of a page.
 pub const WIDTH_MM: f64 = 175.0;
 /// Room for section and end beside each other, and for their height, in mm.
-const ROOM_MM: [f64; 2] = [120.0, 60.0];
+const ROOM_MM: [f64; 2] = [142.0, 60.0];
 /// Scales in use (ISO 5455).
 const SCALES: [f64; 12] = [
     5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001,
@@ -47,72 +48,68 @@ pub fn sheet(plan: &Plan, what: &str, scale: f64, height_mm: f64) -> DrawingShee
 }
 
 /// The drawing of a plug, and what it does not show.
-pub fn plug(plan: &Plan, what: &str, plug: &Plug) -> [Part; 2] {
+pub fn plug(plan: &Plan, what: &str, plug: &Plug) -> [Part; 3] {
     let wide = plug.widest_mm();
     let scale = largest(|s| s * (plug.length_mm + wide) <= ROOM_MM[0] && s * wide <= ROOM_MM[1]);
     let mass = significant(plug.mass_g(), 3);
     let title = format!("{what}, {}, {mass} g", plug.stock());
-    let height = scale * wide + 60.0;
+    let height = scale * wide + 46.0;
     let mut sheet = sheet(plan, &title, scale, height);
     let mut view = View {
         sheet: &mut sheet,
-        origin: [6.0 + 0.5 * scale * wide, 32.0 + 0.5 * scale * wide],
+        origin: [6.0 + 0.5 * scale * wide, 22.0 + 0.5 * scale * wide],
         scale,
     };
     end(plan, plug, &mut view);
-    view.origin[0] = WIDTH_MM - 6.0 - scale * plug.length_mm;
+    view.origin[0] += 0.5 * scale * wide + 24.0;
     section(plan, plug, &mut view);
-    [Part::Drawing(sheet), Part::List(notes(plan, plug))]
+    [
+        Part::Drawing(sheet),
+        turned(plan, plug),
+        Part::List(notes(plan, plug)),
+    ]
 }
 
 fn section(plan: &Plan, plug: &Plug, v: &mut View<'_>) {
     let stem = &plug.stem;
-    let bare = |mm: f64| plan.shown.bare(mm);
     v.plug(plug, stem.datum_mm, 1.0, true);
     let beyond = 4.0 / v.scale;
     v.line(Axis, &[[-beyond, 0.0], [plug.length_mm + beyond, 0.0]]);
     let (half, radius) = (0.5 * plug.widest_mm(), 0.5 * stem.diameter_mm);
-    let above = v.scale * half + 6.0;
-    v.across(
-        (0.0, stem.length_mm),
-        (radius, half),
-        above,
-        &bare(stem.length_mm),
-    );
-    v.across(
-        (0.0, plug.eye_mm),
-        (radius, 0.0),
-        above + 7.0,
-        &bare(plug.eye_mm),
-    );
-    v.across(
-        (0.0, plug.length_mm),
-        (radius, half),
-        above + 14.0,
-        &bare(plug.length_mm),
-    );
-    if let Some(port) = plug.port {
-        v.across(
-            (0.0, port.height_mm),
-            (-radius, 0.0),
-            -above,
-            &bare(port.height_mm),
-        );
+    let side = 0.5 * plug.side_mm;
+    let row = v.scale * half + 6.0;
+    for (i, (mm, to)) in [
+        (stem.length_mm, half),
+        (plug.eye_mm, 0.0),
+        (plug.length_mm, side),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let row = row + 7.0 * i as f64;
+        v.across((0.0, mm), (radius, to), row, &plan.shown.bare(mm));
+    }
+    let port = plug.port.map(|port| port.height_mm);
+    let collar = plug.collar_mm.map(|_| plug.foot_mm);
+    for (i, mm) in collar.into_iter().chain(port).enumerate() {
+        let row = row + 7.0 * i as f64;
+        v.across((0.0, mm), (-radius, -half), -row, &plan.shown.bare(mm));
     }
     let [diameter, tolerance] =
         [stem.diameter_mm, plug.tolerance_mm()].map(|mm| plan.shown.exact(mm));
     let fit = format!("⌀{diameter} ±{tolerance}");
     v.beside((-radius, radius), 0.0, -9.0, &fit);
-    for (i, band) in stem.bands_mm.iter().enumerate() {
-        let row = -above - 7.0 * (i + 1) as f64;
-        let text = format!("seat {}", bare(band[1] - band[0]));
-        v.across((band[0], band[1]), (-radius, -radius), row, &text);
-    }
-    if let Some([diameter, from]) = stem.shoulder_mm {
-        let row = -above - 7.0 * (stem.bands_mm.len() + 1) as f64;
-        let text = format!("shoulder ⌀{} from {}", bare(diameter), bare(from));
-        v.across((from, stem.length_mm), (-0.5 * diameter, -half), row, &text);
-    }
+}
+
+/// Diameters of the stem along it, up to the first rib of a shoulder and the corner at the head.
+fn turned(plan: &Plan, plug: &Plug) -> Part {
+    let exact = |mm: f64| plan.shown.exact(mm);
+    let corners = plug.stem.corners();
+    let row = |name: &str, k: usize, times: f64| {
+        let cells = corners.iter().map(|corner| exact(times * corner[k]));
+        [name.to_owned()].into_iter().chain(cells).collect()
+    };
+    Part::table(&[], vec![row("from its end", 1, 1.0), row("⌀", 0, 2.0)])
 }
 
 /// The plug as seen from its head.
@@ -149,34 +146,32 @@ fn notes(plan: &Plan, plug: &Plug) -> Vec<String> {
     });
     let made = if plug.is_printed() {
         [
-            "Print solid, standing on the end of the head",
-            "Seal the surface of the stem with epoxy resin",
-            "What is not dimensioned: by the STL file",
+            "print solid, standing on the end of the head; seal the stem with epoxy resin",
+            "what is not dimensioned: by the STL file",
         ]
     } else {
         [
-            "Turned, head milled; stem Ra 1.6, all else Ra 3.2",
-            "Corner of the stem R 0.8; edges broken 0.2",
-            "What is not dimensioned: by the STEP file",
+            "turned, head milled; stem Ra 1.6, all else Ra 3.2; stem and passage concentric to 0.1",
+            "corner at the head R 0.8 at most; edges broken 0.2",
         ]
     };
+    let [bore, wider] = [stem.bore_mm(), stem.interference_mm].map(|mm| plan.shown.exact(mm));
+    let hole = format!(
+        "hole {} for the bolt M{} (ISO 273 medium), across the head",
+        mm(plug.hole_mm),
+        mm(plug.bolt.mm),
+    );
+    let ribs = stem.shoulder_mm.map(|_| {
+        let [pitch, end] = [RIB_MM.0, RIBS_END_MM].map(bare);
+        format!("ribs like the first one every {pitch}, up to {end} from the head")
+    });
     [
         Some(format!(
-            "Bolt M{}, {}: hole {} (ISO 273 medium), across the head",
-            mm(plug.bolt.mm),
-            plug.bolt.class,
-            mm(plug.hole_mm)
+            "stem {wider} wider than the bore of the tube, {bore}"
         )),
+        ribs,
+        Some(hole),
         port,
-        Some(format!(
-            "Stem: {} and an interference of {}",
-            plan.shown.exact(stem.bore_mm()),
-            plan.shown.exact(stem.interference_mm)
-        )),
-        plug.collar_mm
-            .map(|_| format!("Collar {} thick", bare(plug.foot_mm - stem.length_mm))),
-        stem.shoulder_mm
-            .map(|_| "Shoulder with ribs every 3, 0.4 deep, sides 45°".into()),
     ]
     .into_iter()
     .flatten()

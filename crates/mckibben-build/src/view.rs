@@ -8,7 +8,7 @@ use mckibben_report::{
 };
 
 /// Height of dimensions and notes in mm.
-pub const SMALL_MM: f64 = 2.5;
+const SMALL_MM: f64 = 2.5;
 /// Length and half width of an arrow in mm.
 const ARROW_MM: (f64, f64) = (2.5, 0.42);
 /// An extension line begins so far from the body, and ends so far beyond the dimension, in mm.
@@ -46,6 +46,13 @@ impl View<'_> {
 
     pub fn outline(&mut self, pen: Pen, corners: &[[f64; 2]]) {
         self.sheet.outline(pen, self.all_on_sheet(corners));
+    }
+
+    pub fn rectangle(&mut self, x: [f64; 2], y: [f64; 2]) {
+        self.outline(
+            Outline,
+            &[[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]],
+        );
     }
 
     pub fn circle(&mut self, pen: Pen, diameter: f64) {
@@ -221,31 +228,25 @@ fn dimension(sheet: &mut DrawingSheet, a: [f64; 2], b: [f64; 2], text: &str) {
             [foot[0] - side[0], foot[1] - side[1]],
         ]);
     }
-    let width = width_of(text);
-    let room = fits && width + 2.0 < length;
     let out = if fits { 0.0 } else { 2.0 * ARROW_MM.0 };
-    if room {
+    let middle = move_by(a, 0.5 * length);
+    if upright {
+        sheet.line(Thin, [move_by(a, -out), move_by(b, out)]);
+        return sheet.text_upwards([middle[0] - 1.0, middle[1]], SMALL_MM, Anchor::Middle, text);
+    }
+    let width = width_of(text);
+    if fits && width + 2.0 < length {
         sheet.line(Thin, [a, b]);
-        let middle = move_by(a, 0.5 * length);
-        if upright {
-            sheet.text_upwards([middle[0] - 1.0, middle[1]], SMALL_MM, Anchor::Middle, text)
-        } else {
-            sheet.text([middle[0], middle[1] + 1.0], SMALL_MM, Anchor::Middle, text)
-        }
-        return;
+        return sheet.text([middle[0], middle[1] + 1.0], SMALL_MM, Anchor::Middle, text);
     }
     // Beyond the end, on a shelf.
-    let end = if upright {
-        move_by(b, out.max(3.5))
-    } else {
-        move_by(b, out)
-    };
+    let end = move_by(b, out);
     let shelf = [end[0] + width + 1.5, end[1]];
     sheet.line(Thin, [move_by(a, -out), end, shelf]);
     sheet.text([end[0] + 1.0, end[1] + 1.0], SMALL_MM, Anchor::Start, text);
 }
 
 /// The approximate width of a text, in mm.
-pub fn width_of(text: &str) -> f64 {
+fn width_of(text: &str) -> f64 {
     0.75 * SMALL_MM * text.chars().count() as f64
 }

@@ -172,7 +172,7 @@ impl Pages<'_> {
         list.iter().for_each(|text| self.item("  !", text));
         self.y -= 2.5;
         self.sheet
-            .rectangle(Outline, [LEFT_MM, RIGHT_MM], [self.y, top]);
+            .rectangle(Outline, [LEFT_MM, RIGHT_MM + 2.0], [self.y, top]);
         self.y -= 1.0;
     }
 

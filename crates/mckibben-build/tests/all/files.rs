@@ -229,20 +229,28 @@ fn a_proof_that_says_little_of_the_ends_is_refused() {
     let plan = |proof_mpa: f64, times: f64| {
         let muscle = parse_muscle("[braid]\nangle = 30\n").unwrap();
         let mut operating = operating(&muscle, 0.25);
-        // With no pressure on the bore to speak of.
-        operating.in_use = pull(1e-9, 0.0, 1000.0);
+        let pulled = |mpa: f64, load_n: f64| {
+            let bore_n = mckibben_core::analysis::burst::ends::clamp_load_n(&muscle, 0.0, mpa);
+            pull(mpa, -STRETCH, load_n - bore_n)
+        };
+        operating.in_use = pulled(0.275, 1000.0);
         operating.stretched = operating.in_use;
-        operating.proof = pull(proof_mpa, -STRETCH, times * 1000.0);
-        operating.proof.force_n -=
-            mckibben_core::analysis::burst::ends::clamp_load_n(&muscle, 0.0, proof_mpa);
+        operating.proof = pulled(proof_mpa, times * 1000.0);
         Plan::new(muscle, operating, &Wishes::default())
     };
     let refused = plan(0.3, 1.19).unwrap_err();
     assert_eq!(refused.fields, ["pressure_mpa"], "{refused}");
     // By hand 0.25 · 1.19/1.2 = 0.2479.
     assert!(refused.message.contains("work at 0.24 MPa"), "{refused}");
-    assert!(plan(0.3, 1.201).is_ok());
-    assert!(plan(0.5, 1.19).is_ok());
+    // Above 1.2 it is said up to 1.5: 0.25 · 1.201/1.5 = 0.2002.
+    let said = |plan: Plan| plan.warnings().join("\n");
+    let little = said(plan(0.3, 1.201).unwrap());
+    assert!(
+        little.contains("less than 1.5; work at 0.2 MPa"),
+        "{little}"
+    );
+    assert!(!said(plan(0.3, 1.501).unwrap()).contains("less than"));
+    assert!(!said(plan(0.5, 1.19).unwrap()).contains("less than"));
 }
 
 /// 6.35 mm and 5 % are 6.6675 mm: rounded to a tenth it would lie 0.03 mm off, of 0.05 mm that are
