@@ -3,8 +3,8 @@
 
 use crate::{
     AskFields, Contraction, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem,
-    ProblemKind, Result, ShapeRequest, TextFile, TitleBlock, UncertaintyWords, Units, above_zero,
-    borne, burst_with,
+    ProblemKind, Result, TextFile, TitleBlock, UncertaintyWords, Units, above_zero, borne,
+    burst_with,
     flags::{self, Args},
     print::{Csv, Page, Show},
     proof_mpa,
@@ -22,7 +22,6 @@ use mckibben_core::{
     answer::Options,
     built::{Built, Left},
     cancel,
-    extremes::peak,
     joint::parse_joint,
     model::Workspace,
     muscle::{Direction, EndsMade, JobPoint},
@@ -416,24 +415,7 @@ fn operating(
         uncertainty_n,
         left,
     });
-    let shape = ShapeRequest {
-        muscle: request.muscle.clone(),
-        pressure_mpa: Some(pressure_mpa.into()),
-        contraction: Some(free.into()),
-        ..ShapeRequest::default()
-    };
-    let shape = crate::shape::shape(&shape)?;
-    let array = |name: &str| shape.arrays.get(name).map_or(&[][..], Vec::as_slice);
-    let r = array("r_mm");
-    let z = array("z_mm");
-    let across = shape.across.max(1);
-    let outer = r.iter().zip(z).skip(across - 1).step_by(across);
-    let contour_mm: Vec<[f64; 2]> = outer.map(|(r, z)| [*z, *r]).collect();
-    let widest = 2.0 * peak(contour_mm.iter().map(|p| p[1]));
-    let response = &shape.point.response;
-    let volume_mm3 = response
-        .volume_mm3
-        .unwrap_or_else(|| muscle.rest_volume_mm3());
+    let response = evaluation.response(pressure_mpa, free)?;
     let allowed_mpa = burst.allowed().map_or(f64::INFINITY, |allowed| allowed.mpa);
     let highest_mpa = match given_mpa {
         Some(given_mpa) => given_mpa,
@@ -462,12 +444,13 @@ fn operating(
         blocked_force_n,
         branch: in_use.direction,
         free_contraction: free,
-        bulged_diameter_mm: response.bulged_diameter_mm.unwrap_or(widest),
-        volume_mm3,
+        bulged_diameter_mm: response.bulged_diameter_mm.unwrap_or_default(),
+        volume_mm3: response
+            .volume_mm3
+            .unwrap_or_else(|| muscle.rest_volume_mm3()),
         in_use: used,
         stretched,
         proof,
-        contour_mm,
         limits: (&burst).into(),
         pulls,
         free_contractions,

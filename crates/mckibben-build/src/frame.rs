@@ -160,7 +160,6 @@ impl Frame {
                 plug,
                 out * (half - plug.stem.length_mm + plug.stem.datum_mm),
                 out,
-                &[-1.0, 1.0],
             );
             let eye = apart(plug);
             let inner = eye - 0.5 * width_mm;

@@ -456,6 +456,17 @@ impl Port {
         }
     }
 
+    /// Where the passage ends on the wall of the hole: points around it.
+    pub(crate) fn met(&self, count: usize) -> Vec<[f64; 3]> {
+        let (r, p) = (0.5 * self.hole_mm, 0.5 * self.passage_mm);
+        let place = |i: usize| {
+            let (sin, cos) = (TAU * i as f64 / count as f64).sin_cos();
+            let x = p * cos;
+            [x, p * sin, self.height_mm - (r * r - x * x).sqrt()]
+        };
+        (0..count).map(place).collect()
+    }
+
     /// The hole of the thread in a flat, the passage from the tip of the stem, and where they meet.
     fn bore(&self, mesh: &mut Mesh, flat: &[usize], tip: &[usize], half: f64) {
         let (r, p, height) = (0.5 * self.hole_mm, 0.5 * self.passage_mm, self.height_mm);
@@ -472,12 +483,10 @@ impl Port {
         mesh.polygon(&floor, |[x, _, z]| [z, x]);
         // The passage ends on the wall of the hole.
         let below = mesh.ring([p, 0.0]);
-        let above: Ring = (0..FACETS)
-            .map(|i| {
-                let (sin, cos) = (TAU * i as f64 / FACETS as f64).sin_cos();
-                let x = p * cos;
-                mesh.corner([x, p * sin, height - (r * r - x * x).sqrt()])
-            })
+        let above: Ring = self
+            .met(FACETS)
+            .into_iter()
+            .map(|at| mesh.corner(at))
             .collect();
         mesh.band(&below, tip);
         mesh.band(&above, &below);

@@ -36,8 +36,6 @@ pub struct Operating {
     pub stretched: PullAt,
     /// The same at the pressure of the proof test.
     pub proof: PullAt,
-    /// Its outer contour from the middle (z = 0) to a clamp: z and radius in mm.
-    pub contour_mm: Vec<[f64; 2]>,
     /// The pressures that the muscle bears.
     pub limits: PressureLimits,
     /// What it is for, or half of its free contraction: pulls at contractions.

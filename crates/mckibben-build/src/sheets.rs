@@ -72,7 +72,7 @@ pub fn plug(plan: &Plan, what: &str, plug: &Plug) -> [Part; 3] {
 
 fn section(plan: &Plan, plug: &Plug, v: &mut View<'_>) {
     let stem = &plug.stem;
-    v.plug(plug, stem.datum_mm, 1.0, true);
+    v.plug(plug, stem.datum_mm, 1.0);
     let beyond = 4.0 / v.scale;
     v.line(Axis, &[[-beyond, 0.0], [plug.length_mm + beyond, 0.0]]);
     let (half, radius) = (0.5 * plug.widest_mm(), 0.5 * stem.diameter_mm);

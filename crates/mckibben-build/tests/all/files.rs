@@ -24,7 +24,7 @@ fn pull(pressure_mpa: f64, contraction: f64, force_n: f64) -> PullAt {
 
 /// What a model could have found of a muscle: the ideal one at 28°, nearly.
 fn operating(muscle: &Muscle, pressure_mpa: f64) -> Operating {
-    let (d0, half) = (muscle.outer_diameter_mm(), 0.4 * muscle.length_mm());
+    let d0 = muscle.outer_diameter_mm();
     Operating {
         model: "test".into(),
         pressure_mpa,
@@ -37,7 +37,6 @@ fn operating(muscle: &Muscle, pressure_mpa: f64) -> Operating {
         in_use: pull(1.1 * pressure_mpa, 0.0, 6.6 * pressure_mpa * d0 * d0),
         stretched: pull(1.1 * pressure_mpa, -STRETCH, 7.0 * pressure_mpa * d0 * d0),
         proof: pull(0.5, -STRETCH, 12.0 * pressure_mpa * d0 * d0),
-        contour_mm: vec![[0.0, 0.75 * d0], [0.8 * half, 0.75 * d0], [half, 0.5 * d0]],
         limits: PressureLimits {
             burst_pressure_mpa: Some(1.2),
             burst_by: Some(FailureMode::Mesh),
