@@ -2,6 +2,7 @@
 
 use crate::{
     Plan,
+    ends::Press,
     plug::Plug,
     sheets::{self, WIDTH_MM, largest},
     text::{percent, trimmed},
@@ -78,8 +79,16 @@ fn measures(plan: &Plan, v: &mut View<'_>, widest: f64) {
     let angle = trimmed(muscle.braid().angle_deg, 1);
     let wide = bare(operating.bulged_diameter_mm.round());
     let free = percent(operating.free_contraction);
+    let ferrule = match plan.ends.press {
+        Some(Press::Ferrule(f)) => {
+            let sizes = [f.outer_mm, f.wall_mm, f.length_mm, f.pressed_mm].map(bare);
+            let [outer, wall, long, pressed] = sizes;
+            format!("; ferrules {outer} × {wall}, {long} long, pressed to ⌀{pressed}")
+        }
+        _ => String::new(),
+    };
     let texts = [
-        format!("Tube ⌀{tube}, bore ⌀{bore}, over the sleeve ⌀{over}, θ₀ {angle}°"),
+        format!("Tube ⌀{tube}, bore ⌀{bore}, over the sleeve ⌀{over}, θ₀ {angle}°{ferrule}"),
         format!(
             "At {} without load ⌀{wide}, shorter by {free}",
             plan.shown.pressure(operating.pressure_mpa)

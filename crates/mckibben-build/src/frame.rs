@@ -21,7 +21,7 @@ const WIDTHS_MM: [f64; 14] = [
 ];
 const YIELDS_MPA: f64 = 235.0;
 /// From the largest diameter of the muscle to the axis of a rod, for fitting and hose, in mm, and how
-/// far bar and rod go on beyond it (choices).
+/// far a rod goes on beyond the bars (choices).
 const REACH_MM: f64 = 35.0;
 const BEYOND_MM: f64 = 15.0;
 /// The load at which a rod buckles over its own (a choice), and its modulus in MPa.
@@ -108,15 +108,12 @@ impl Frame {
         let between = |plug: &Plug| plug.eye_mm - plug.stem.length_mm;
         let apart_mm = plan.faces_mm(-STRETCH) + between(plug) + between(&plan.eye_plug);
         let rod_mm = rod_mm(0.5 * load_n, apart_mm);
-        let width_mm = WIDTHS_MM.into_iter().find(|mm| *mm >= 2.5 * rod_mm);
+        let sold_mm = WIDTHS_MM.into_iter().find(|mm| *mm >= 2.5 * rod_mm);
+        let width_mm = sold_mm.unwrap_or(2.5 * rod_mm);
         let frame = |thick_mm| Self {
             bar,
-            bar_length_mm: 2.0 * (bar.reach_mm + BEYOND_MM),
-            bridge_mm: [
-                side_mm + 2.0 * bar.thick_mm,
-                width_mm.unwrap_or(2.5 * rod_mm),
-                thick_mm,
-            ],
+            bar_length_mm: 2.0 * bar.reach_mm + width_mm,
+            bridge_mm: [side_mm + 2.0 * bar.thick_mm, width_mm, thick_mm],
             rod_mm,
             rod_length_mm: (apart_mm + bar.width_mm + 2.0 * BEYOND_MM).ceil(),
         };
