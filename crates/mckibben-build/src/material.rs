@@ -10,7 +10,7 @@ use crate::{
     text::{mm, significant},
 };
 use mckibben_core::{
-    clean, extremes::peak, muscle::Muscle, rubber::library as rubbers, sleeve::library as sleeves,
+    clean, muscle::Muscle, rubber::library as rubbers, sleeve::library as sleeves,
 };
 use mckibben_design::tubes::{self, TubePart};
 
@@ -35,69 +35,6 @@ const RANGES_MM: [[f64; 2]; 16] = [
     [120.0, 140.0],
     [140.0, 160.0],
 ];
-/// The range of a load cell over the largest pull that is expected (a choice).
-const LOAD_CELL: f64 = 1.25;
-/// What is used up by every muscle: what, how much, what for.
-const CONSUMABLES: [[&str; 3]; 3] = [
-    [
-        "isopropyl alcohol",
-        "a little",
-        "to push the tube on; it dries",
-    ],
-    [
-        "adhesive tape",
-        "0.5 m",
-        "to mark, and to cut a sleeve that does not melt",
-    ],
-    [
-        "thread seal tape",
-        "0.2 m",
-        "for a thread without a seal of its own",
-    ],
-];
-
-/// What is used up, and what measures: what, how much, what for.
-pub fn consumables(plan: &Plan) -> Vec<[String; 3]> {
-    let shown = &plan.shown;
-    let [relief, proof] =
-        [plan.highest_mpa(), plan.safety.proof_pressure_mpa].map(|mpa| shown.pressure(mpa));
-    let supply = if plan.liquid { "pump" } else { "regulator" };
-    let cell_n = LOAD_CELL * peak(plan.expected.iter().map(|at| at.range_n()[2]));
-    let hose = plan
-        .air_plug
-        .port
-        .map_or_else(String::new, |port| port.fitting.hose());
-    let resin = [
-        "epoxy resin or thin cyanoacrylate".into(),
-        "a little".into(),
-        "to seal the printed plugs".into(),
-    ];
-    let rows = [
-        (hose, "2 m", format!("for {proof}")),
-        (
-            format!("{supply}, shut-off valve, relief valve"),
-            "1 each",
-            format!("relief at {relief}"),
-        ),
-        (
-            "safety glasses, screen, water, hand pump with gauge".into(),
-            "1 each",
-            format!("for the proof test, to {proof}"),
-        ),
-        (
-            "load cell or spring scale".into(),
-            "1",
-            format!("for at least {}, for test.csv", shown.force(cell_n)),
-        ),
-    ];
-    CONSUMABLES
-        .into_iter()
-        .map(|row| row.map(String::from))
-        .chain(plan.air_plug.is_printed().then_some(resin))
-        .chain(rows.map(|(what, amount, about)| [what, amount.into(), about]))
-        .collect()
-}
-
 /// A line of the bill.
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Default, serde::Serialize, schemars::JsonSchema)]
@@ -151,6 +88,15 @@ fn bought(part: &str, size: String, count: usize) -> BuildPart {
     }
 }
 
+/// A part that all muscles share, or that is used up.
+fn shared(part: &str, size: impl Into<String>, amount: impl Into<String>) -> BuildPart {
+    BuildPart {
+        amount: amount.into(),
+        spare: "–".into(),
+        ..bought(part, size.into(), 1)
+    }
+}
+
 /// What presses the sleeve on the shoulders.
 fn pressed(plan: &Plan, press: Press) -> BuildPart {
     match press {
@@ -181,11 +127,6 @@ pub fn bill(plan: &Plan) -> Vec<BuildPart> {
             Err(_) => continue,
         };
     }
-    let shared = |part: &str, size: String, amount: String| BuildPart {
-        amount,
-        spare: "–".into(),
-        ..bought(part, size, 1)
-    };
     if plan.is_cast() {
         let mould = Mould::new(&plan.cut);
         let [rod, rod_length, bore, pipe] = [
@@ -199,7 +140,7 @@ pub fn bill(plan: &Plan) -> Vec<BuildPart> {
             "rod {rod} mm, {rod_length} mm long; smooth pipe with a bore of {bore} mm, {pipe} mm \
              long; release agent, syringe of 60 mL, scale"
         );
-        parts.push(shared("mould for the tube", size, "1".into()));
+        parts.push(shared("mould for the tube", size, "1"));
     }
     let frame = Frame::new(plan);
     let long = |mm: f64| plan.shown.length(mm.ceil());
@@ -219,6 +160,49 @@ pub fn bill(plan: &Plan) -> Vec<BuildPart> {
             "threaded rods of the frame",
             rod,
             format!("2 × {}", long(frame.rod_length_mm)),
+        ),
+    ]);
+    let shown = &plan.shown;
+    let [relief, proof] =
+        [plan.highest_mpa(), plan.safety.proof_pressure_mpa].map(|mpa| shown.pressure(mpa));
+    let supply = if plan.liquid {
+        "pump, shut-off valve, relief valve"
+    } else {
+        "regulator, shut-off valve, relief valve"
+    };
+    let pull = shown.force(plan.operating.stretched.range_n()[2]);
+    let hose = plan.air_plug.port.map(|port| port.fitting.hose());
+    parts.extend(hose.map(|hose| shared(&hose, format!("for {proof}"), "2 m")));
+    let resin = "epoxy resin or thin cyanoacrylate";
+    let resin = shared(resin, "to seal the printed plugs", "a little");
+    parts.extend(plan.air_plug.is_printed().then_some(resin));
+    parts.extend([
+        shared(supply, format!("relief at {relief}"), "1 each"),
+        shared(
+            "hand pump with gauge",
+            format!("for water, to {proof}"),
+            "1",
+        ),
+        shared("safety glasses, screen", "for the proof test", "1 each"),
+        shared(
+            "load cell or spring scale",
+            format!("for at least {pull}"),
+            "1",
+        ),
+        shared(
+            "isopropyl alcohol",
+            "to push the tube on; it dries",
+            "a little",
+        ),
+        shared(
+            "adhesive tape",
+            "to mark, and to cut a sleeve that does not melt",
+            "0.5 m",
+        ),
+        shared(
+            "thread seal tape",
+            "for a thread without a seal of its own",
+            "0.2 m",
         ),
     ]);
     parts
@@ -358,9 +342,6 @@ pub fn csv(plan: &Plan) -> Result<String, csv::Error> {
         ];
         let cells = texts.map(|text| clean::cell(&clean::line(text)).into_owned());
         out.write_record(&cells)?;
-    }
-    for [part, amount, about] in consumables(plan) {
-        out.write_record([&part, &about, &amount, "", "consumable", "", "", ""])?;
     }
     let bytes = out.into_inner().map_err(|e| e.into_error())?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())

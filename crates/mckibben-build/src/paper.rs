@@ -7,7 +7,7 @@ use crate::{
     drawing,
     ends::{BOLT_MM, BOLT_NM, FERRULE_ROOM_MM, Press},
     frame::Frame,
-    material::{consumables, density_kg_per_m3},
+    material::density_kg_per_m3,
     mould::{self, Mould},
     plug::Stress,
     sheets,
@@ -135,11 +135,7 @@ fn tools(plan: &Plan) -> Vec<String> {
         format!("tap {thread}, drill {hole} mm")
     });
     let rule = "calliper, steel rule, scissors, marker".to_owned();
-    let used = consumables(plan);
-    let used = used
-        .iter()
-        .map(|[what, amount, about]| format!("{what} ({amount}): {about}"));
-    [rule, clamp].into_iter().chain(drill).chain(used).collect()
+    [rule, clamp].into_iter().chain(drill).collect()
 }
 
 fn cut_list(plan: &Plan) -> [Part; 3] {
