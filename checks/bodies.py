@@ -88,7 +88,7 @@ def main() -> None:
                     check=True,
                     capture_output=True,
                 )
-                for path in sorted(Path(folder).glob("out/*.stl")):
+                for path in sorted(Path(folder).glob("out/bodies/*.stl")):
                     mesh = trimesh.load(path)
                     what = f"{outer} × {wall} mm of {rubber}, {fitting}: {path.name}"
                     assert mesh.is_watertight and mesh.is_winding_consistent, what
@@ -104,7 +104,7 @@ def main() -> None:
                     grams = {
                         row["part"]: row["mass (g)"] for row in csv.DictReader(bill)
                     }
-                for path in sorted(Path(folder).glob("out/*.step")):
+                for path in sorted(Path(folder).glob("out/bodies/*.step")):
                     mass = float(grams[path.stem.replace("-", " ")])
                     off = DENSITY * volume(path) / mass - 1
                     assert abs(off) < 6e-3, (

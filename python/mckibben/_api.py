@@ -603,8 +603,6 @@ class BuildPart(Record):
 
     Attributes
     ----------
-    number
-        Number in the drawing.
     part
         What it is.
     size
@@ -623,7 +621,6 @@ class BuildPart(Record):
         Where name and price come from.
     """
 
-    number: int
     part: str
     size: str
     amount: str
@@ -8490,7 +8487,7 @@ class MuscleCommands:
         Parameters
         ----------
         pressure_mpa : MPa
-            Working pressure [2.5bar, or the allowed pressure where that is lower].
+            Working pressure [2.5bar, or the allowed pressure where that is lower, or that at which a proof test loads the ends with 1.5 times what use does].
         overpressure
             Allow a working pressure above the allowed pressure, up to a proof test at three quarters of the burst pressure.
         fitting

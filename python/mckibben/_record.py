@@ -557,7 +557,8 @@ class Files(Record):
             place / f.name: b64decode(f.base64) if f.base64 is not None else str(f.text)
             for f in self.files
         }
-        place.mkdir(parents=True, exist_ok=True)
+        for path in contents:
+            Path(path).parent.mkdir(parents=True, exist_ok=True)
         put(contents, overwrite)
         return Path(next(iter(contents)))
 

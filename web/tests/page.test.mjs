@@ -236,7 +236,7 @@ inBrowser(({ name, url, open, blank }) => {
     await page.getByRole("button", { name: "Make the build sheet" }).click();
     for (const [file, begin] of /** @type {[string, RegExp][]} */ ([
       ["README.md", /^# McKibben muscle/],
-      ["bom.csv", /^number,part,/],
+      ["bom.csv", /^part,size,/],
       ["muscle.toml", /^# McKibben muscle/],
     ])) {
       const button = page.getByRole("button", { name: file, exact: true });

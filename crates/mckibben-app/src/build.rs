@@ -3,8 +3,8 @@
 
 use crate::{
     AskFields, Contraction, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem,
-    ProblemKind, Result, ShapeRequest, TextFile, TitleBlock, UncertaintyWords, Units, above_zero,
-    borne, burst_with,
+    ProblemKind, Result, TextFile, TitleBlock, UncertaintyWords, Units, above_zero, borne,
+    burst_with,
     flags::{self, Args},
     print::{Csv, Page, Show},
     proof_mpa,
@@ -15,14 +15,14 @@ use base64::{Engine as _, engine::general_purpose::STANDARD};
 pub use mckibben_build::is_blank_sheet;
 use mckibben_build::{
     BuildPart, Content, Cut, EndLoads, File, Operating, Plan, PullAt, Safety, Shown, TestPoint,
-    ToMeasure, Wishes, relief_mpa,
+    ToMeasure, USUAL_PROOF, Wishes, relief_mpa,
 };
 use mckibben_core::{
     analysis::{Burst, Evaluation, STRETCH},
     answer::Options,
     built::{Built, Left},
     cancel,
-    extremes::peak,
+    joint::parse_joint,
     model::Workspace,
     muscle::{Direction, EndsMade, JobPoint},
     progress::Progress,
@@ -40,7 +40,8 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
 pub struct BuildRequest {
-    /// Working pressure [2.5bar, or the allowed pressure where that is lower]
+    /// Working pressure [2.5bar, or the allowed pressure where that is lower, or that at which a
+    /// proof test loads the ends with 1.5 times what use does]
     #[arg(short, long)]
     pub pressure_mpa: Option<Pressure>,
     /// Allow a working pressure above the allowed pressure, up to a proof test at three quarters of
@@ -202,11 +203,8 @@ impl From<File> for BuiltFile {
 
 /// All that is needed to build a muscle.
 pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAnswer> {
-    let fields = [
-        ("contraction", request.contraction.is_some()),
-        ("name", request.title_block != TitleBlock::default()),
-    ];
     if !request.report {
+        let fields = [("contraction", request.contraction.is_some())];
         Problem::refuse_unused(&fields, "it is part of the report, and `report` is not set")?;
     }
     let (mut plan, burst) = planned(request)?;
@@ -219,7 +217,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
         .map(|file| named(file, request.muscle.file()))
         .map(BuiltFile::from)
         .collect();
-    let [drawing, ..] = mckibben_build::drawings(&plan);
+    let drawing = mckibben_build::drawing(&plan);
     let document = request
         .report
         .then(|| report(request, (&plan, &burst, &drawing), progress))
@@ -279,9 +277,25 @@ fn named(mut file: File, given: Option<&TextFile>) -> File {
     file
 }
 
+/// A joint has no folder: its muscles have.
+fn of_joint(request: &BuildRequest) -> Option<Problem> {
+    let file = request.muscle.file()?;
+    let joint = parse_joint(&file.text).ok()?;
+    let mut names: Vec<&str> = joint.files().collect();
+    names.dedup();
+    let message = format!("{} is a joint, and a folder is of a muscle", file.name);
+    let hint = format!(
+        "build {}; at the neutral angle its heads are apart by L0 (1 - contraction_at_neutral) and \
+         the length on both plugs, as its folder states it",
+        names.join(", then ")
+    );
+    Some(ProblemKind::File.problem(message).with_hint(hint))
+}
+
 /// The plan of a muscle, and the pressures at which it fails.
 fn planned(request: &BuildRequest) -> Result<(Plan, Burst)> {
-    let muscle = request.muscle.resolve()?;
+    let muscle = request.muscle.resolve();
+    let muscle = muscle.map_err(|error| of_joint(request).unwrap_or(error))?;
     let fitting = request.fitting.as_deref().map(str::parse).transpose();
     let fitting = fitting.map_err(|e: mckibben_build::UnknownFitting| {
         ProblemKind::Usage.problem(e).in_field("fitting")
@@ -307,8 +321,13 @@ fn planned(request: &BuildRequest) -> Result<(Plan, Burst)> {
         title_block: request.title_block.fields(),
     };
     let pressure_mpa = above_zero("pressure_mpa", request.pressure_mpa.map(f64::from))?;
-    let (operating, burst) = operating(request, &muscle, pressure_mpa)?;
-    let plan = Plan::new(muscle, operating, &wishes).map_err(|error| {
+    let (mut found, mut burst) = operating(request, &muscle, pressure_mpa)?;
+    let loads = EndLoads::new(&muscle, &found);
+    if pressure_mpa.is_none() && muscle.job().is_none() && loads.proof_to_use < USUAL_PROOF {
+        let lower_mpa = loads.proved_mpa(&found, USUAL_PROOF);
+        (found, burst) = operating(request, &muscle, Some(lower_mpa))?;
+    }
+    let plan = Plan::new(muscle, found, &wishes).map_err(|error| {
         let field = error.fields.first().copied().unwrap_or_default();
         ProblemKind::OutOfRange
             .problem(error.message)
@@ -396,24 +415,7 @@ fn operating(
         uncertainty_n,
         left,
     });
-    let shape = ShapeRequest {
-        muscle: request.muscle.clone(),
-        pressure_mpa: Some(pressure_mpa.into()),
-        contraction: Some(free.into()),
-        ..ShapeRequest::default()
-    };
-    let shape = crate::shape::shape(&shape)?;
-    let array = |name: &str| shape.arrays.get(name).map_or(&[][..], Vec::as_slice);
-    let r = array("r_mm");
-    let z = array("z_mm");
-    let across = shape.across.max(1);
-    let outer = r.iter().zip(z).skip(across - 1).step_by(across);
-    let contour_mm: Vec<[f64; 2]> = outer.map(|(r, z)| [*z, *r]).collect();
-    let widest = 2.0 * peak(contour_mm.iter().map(|p| p[1]));
-    let response = &shape.point.response;
-    let volume_mm3 = response
-        .volume_mm3
-        .unwrap_or_else(|| muscle.rest_volume_mm3());
+    let response = evaluation.response(pressure_mpa, free)?;
     let allowed_mpa = burst.allowed().map_or(f64::INFINITY, |allowed| allowed.mpa);
     let highest_mpa = match given_mpa {
         Some(given_mpa) => given_mpa,
@@ -442,12 +444,13 @@ fn operating(
         blocked_force_n,
         branch: in_use.direction,
         free_contraction: free,
-        bulged_diameter_mm: response.bulged_diameter_mm.unwrap_or(widest),
-        volume_mm3,
+        bulged_diameter_mm: response.bulged_diameter_mm.unwrap_or_default(),
+        volume_mm3: response
+            .volume_mm3
+            .unwrap_or_else(|| muscle.rest_volume_mm3()),
         in_use: used,
         stretched,
         proof,
-        contour_mm,
         limits: (&burst).into(),
         pulls,
         free_contractions,

@@ -116,7 +116,7 @@ pub fn report(
     step(3)?;
     parts.extend(margins(plan, burst, units));
     parts.push(Part::Drawing(drawing.clone()));
-    parts.push(Part::Heading("Curves".into()));
+    parts.push(Part::heading("Curves"));
     for test in [Test::Isobaric, Test::Isometric] {
         parts.extend(
             curves(request, test, pressure_mpa, progress)?.map(|f| Part::Figure(Box::new(f))),
@@ -148,19 +148,12 @@ pub fn report(
 }
 
 fn table(rows: Rows) -> Part {
-    grid(
+    Part::table(
         &[],
         rows.into_iter()
             .map(|(name, value)| vec![name, value])
             .collect(),
     )
-}
-
-fn grid(head: &[&str], rows: Vec<Vec<String>>) -> Part {
-    Part::Table {
-        head: head.iter().map(|&name| name.to_owned()).collect(),
-        rows,
-    }
 }
 
 /// The state and what the muscle can do at this pressure, in numbers.
@@ -174,7 +167,7 @@ fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
         .map(|c| c.rows(u))
         .unwrap_or_default()
         .only(|label| rows.iter().all(|(name, _)| name != label));
-    vec![Part::Heading("Performance".into()), table(rows.and(more))]
+    vec![Part::heading("Performance"), table(rows.and(more))]
 }
 
 /// The deformed muscle by itself.
@@ -242,10 +235,7 @@ fn limits(shown: &CheckAnswer, point: &PointAnswer) -> Vec<Part> {
             .map(ToString::to_string),
     );
     list.dedup();
-    vec![
-        Part::Heading("Assumptions and limits".into()),
-        Part::List(list),
-    ]
+    vec![Part::heading("Assumptions and limits"), Part::List(list)]
 }
 
 /// The pressure of each failure over the working pressure, beside what is required.
@@ -289,13 +279,13 @@ fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
     let [working, proof] =
         [working_mpa, plan.safety.proof_pressure_mpa].map(|p| units.pressure.show(p));
     vec![
-        Part::Heading("Margins of safety".into()),
+        Part::heading("Margins of safety"),
         Part::Text(format!(
             "Factor: pressure of the failure over {working}. Estimates of new parts under a slowly \
              rising pressure; proof test with water at {proof}. Of the ends, {}. {}",
             plan.ends_carry(),
             plan.energy()
         )),
-        grid(&["failure", "factor", "required", "pressure"], rows),
+        Part::table(&["failure", "factor", "required", "pressure"], rows),
     ]
 }

@@ -83,7 +83,27 @@ impl Fitting {
     pub(crate) fn part(self) -> String {
         match self.hose_mm {
             Some(mm) => format!("barb for a hose with a bore of {mm} mm, thread {self}"),
-            None => format!("push-in fitting, thread {self}, with its seal"),
+            None => {
+                let mm = self.tube_mm();
+                format!("push-in fitting for a tube of {mm} mm, thread {self}, with its seal")
+            }
+        }
+    }
+
+    /// Outer diameter in mm of the tube of a push-in fitting, as they are sold with its thread.
+    fn tube_mm(self) -> u32 {
+        match self.thread {
+            Thread::M3 | Thread::M5 => 4,
+            Thread::G18 => 6,
+            Thread::G14 => 8,
+        }
+    }
+
+    /// What is pushed on or in.
+    pub(crate) fn hose(self) -> String {
+        match self.hose_mm {
+            Some(mm) => format!("hose with a bore of {mm} mm"),
+            None => format!("tube of polyurethane or polyamide, {} mm", self.tube_mm()),
         }
     }
 }

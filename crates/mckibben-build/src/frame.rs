@@ -1,120 +1,190 @@
-//! The sheets: A4 with a frame and a title block, and the scales in use.
+//! The frame of the proof test. At each end two flat bars hold the head between them by its bolt; two
+//! rods run between the bars, and their nuts press the bars apart by bridges across each pair.
 
 use crate::{
     Plan,
-    text::{significant, trimmed},
+    plug::{BOLT_FACTOR, BOLTS_MM, CLASSES, Plug, ROOT, Stress, hole_mm},
+    sheets::{self, WIDTH_MM, largest},
+    view::View,
 };
-use mckibben_report::{
-    Anchor::Start,
-    DrawingSheet,
-    Pen::{Axis, Outline, Thin},
-};
+use mckibben_core::analysis::STRETCH;
+use mckibben_report::DrawingSheet;
+use std::f64::consts::PI;
 
-/// A4 across, and the frame on it (ISO 5457): left, bottom, right, top.
-const PAPER_MM: (f64, f64) = (297.0, 210.0);
-pub const FRAME_MM: [f64; 4] = [20.0, 10.0, 287.0, 200.0];
-/// Left edge and top of the title block.
-pub const TITLE_MM: (f64, f64) = (157.0, 40.0);
-/// Scales in use (ISO 5455).
-const SCALES: [f64; 12] = [
-    5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001,
+/// Flat bars as they are sold (EN 10058): thicknesses and widths in mm; yield strength of their steel
+/// S235JR in MPa (EN 10025-2).
+const FLATS_MM: [f64; 12] = [
+    3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0, 30.0, 40.0, 60.0,
 ];
+const WIDTHS_MM: [f64; 14] = [
+    10.0, 12.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 50.0, 60.0, 70.0, 80.0, 100.0, 150.0,
+];
+const YIELDS_MPA: f64 = 235.0;
+/// From the largest diameter of the muscle to the axis of a rod, for fitting and hose, in mm, and how
+/// far a rod goes on beyond the bars (choices).
+const REACH_MM: f64 = 35.0;
+const BEYOND_MM: f64 = 15.0;
+/// The load at which a rod buckles over its own (a choice), and its modulus in MPa.
+const BUCKLING: f64 = 3.0;
+const STEEL_MPA: f64 = 210e3;
 
-/// The largest scale at which something fits.
-pub fn largest(fits: impl Fn(f64) -> bool) -> f64 {
-    SCALES
-        .into_iter()
-        .find(|s| fits(*s))
-        .unwrap_or(SCALES[SCALES.len() - 1])
+/// The bars for a bolt: width and thickness in mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bar {
+    pub width_mm: f64,
+    pub thick_mm: f64,
+    /// From the axis of the muscle to that of a rod.
+    pub reach_mm: f64,
 }
 
-/// `1:2`, `5:1`.
-pub fn ratio(scale: f64) -> String {
-    if scale >= 1.0 {
-        format!("{}:1", trimmed(scale, 0))
-    } else {
-        format!("1:{}", trimmed(1.0 / scale, 0))
+impl Bar {
+    /// The narrowest bar, no thicker than the bolt, for a load in N of an end of a muscle.
+    pub(crate) fn new(bolt_mm: f64, outer_mm: f64, load_n: f64) -> Self {
+        let thinner = FLATS_MM.into_iter().rfind(|mm| *mm <= bolt_mm);
+        let bar = |width_mm| Self {
+            width_mm,
+            thick_mm: thinner.unwrap_or(FLATS_MM[0]),
+            reach_mm: (0.5 * outer_mm + REACH_MM).ceil(),
+        };
+        let mut all = WIDTHS_MM
+            .into_iter()
+            .filter(|mm| *mm >= 2.0 * hole_mm(bolt_mm));
+        let bears = |mm: &f64| bar(*mm).stress(bolt_mm, load_n).is_borne();
+        bar(all.find(bears).unwrap_or(WIDTHS_MM[WIDTHS_MM.len() - 1]))
+    }
+
+    /// Each bar carries a half of the load in the middle of both rods: M = F r/4, on a section with the
+    /// hole of the bolt, t (h³ − d³)/6h.
+    pub fn stress(&self, bolt_mm: f64, load_n: f64) -> Stress {
+        let (width, hole) = (self.width_mm, hole_mm(bolt_mm));
+        let section = self.thick_mm * (width.powi(3) - hole.powi(3)) / (6.0 * width);
+        steel(
+            "bar of the frame, bending",
+            0.25 * load_n * self.reach_mm / section,
+        )
     }
 }
 
-/// What a sheet shows.
-pub struct Title<'a> {
-    pub what: &'a str,
-    pub material: &'a str,
-    pub mass_g: f64,
-    /// Number of the sheet, and of all.
-    pub number: (usize, usize),
-    pub scale: f64,
+fn steel(what: &'static str, mpa: f64) -> Stress {
+    Stress {
+        what,
+        mpa,
+        yields_mpa: YIELDS_MPA,
+        factor: BOLT_FACTOR,
+    }
 }
 
-/// An empty sheet with frame and title block.
-pub fn sheet(plan: &Plan, title: &Title<'_>) -> DrawingSheet {
-    let size = format!(
-        "⌀{} × {} {}",
-        plan.shown.bare(plan.muscle.outer_diameter_mm()),
-        plan.shown.bare(plan.muscle.length_mm()),
-        plan.shown.length.name
-    );
-    let mut sheet = DrawingSheet::new(format!("{} {size}", title.what), PAPER_MM.0, PAPER_MM.1);
-    let [left, bottom, right, top] = FRAME_MM;
-    sheet.rectangle(Outline, [left, right], [bottom, top]);
-    let (left, top) = TITLE_MM;
-    sheet.rectangle(Outline, [left, right], [bottom, top]);
-    let rows = [bottom, bottom + 8.0, bottom + 16.0];
-    let columns = [left, left + 30.0, left + 76.0, left + 104.0];
-    for y in &rows[1..] {
-        sheet.line(Thin, [[left, *y], [right, *y]]);
-    }
-    for x in &columns[1..] {
-        sheet.line(Thin, [[*x, bottom], [*x, rows[2]]]);
-    }
-    let given = |name: &str| {
-        let field = plan.title_block.iter().find(|(field, _)| field == name);
-        field.map_or("", |(_, text)| text)
+/// The frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frame {
+    pub bar: Bar,
+    pub bar_length_mm: f64,
+    /// Bridges: length, width and thickness.
+    pub bridge_mm: [f64; 3],
+    /// Thread and length of the rods.
+    pub rod_mm: f64,
+    pub rod_length_mm: f64,
+}
+
+/// The rod in mm of class 8.8 that bears a load in N along it, and does not buckle between joints at a
+/// distance: P = π² E I/L² (Budynas & Nisbett 2011 \[budynas2011\], section 4-12).
+pub fn rod_mm(load_n: f64, length_mm: f64) -> f64 {
+    let bears = |mm: &f64| {
+        let root = ROOT * mm;
+        let buckles_n = PI.powi(3) * STEEL_MPA * root.powi(4) / (64.0 * length_mm * length_mm);
+        let area = 0.25 * PI * root * root;
+        BOLT_FACTOR * load_n <= CLASSES[0].1 * area && BUCKLING * load_n <= buckles_n
     };
-    let name = match given("muscle") {
-        "" => String::new(),
-        name => format!(": {name}"),
-    };
-    sheet.text(
-        [left + 3.0, top - 6.0],
-        3.5,
-        Start,
-        format!("{}{name}", title.what),
-    );
-    sheet.text([left + 3.0, top - 12.0], 2.5, Start, size);
-    projection(&mut sheet, [right - 18.0, top - 7.0]);
-    let unit = plan.shown.length.name;
-    let cells = [
-        ("scale", ratio(title.scale)),
-        ("material", title.material.into()),
-        ("mass", format!("{} g", significant(title.mass_g, 3))),
-        ("sheet", format!("{}/{}", title.number.0, title.number.1)),
-        (
-            "document, revision",
-            format!("{} {}", given("document no."), given("revision")),
-        ),
-        ("tolerances", format!("{unit}, ISO 2768-m")),
-        (
-            "drawn by",
-            concat!("mckibben ", env!("CARGO_PKG_VERSION")).into(),
-        ),
-        ("date", given("date").into()),
-    ];
-    for (i, (head, text)) in cells.into_iter().enumerate() {
-        let (x, y) = (columns[i % 4], rows[1 - i / 4]);
-        sheet.text([x + 1.0, y + 5.4], 1.8, Start, head);
-        sheet.text([x + 1.5, y + 1.5], 2.2, Start, text);
-    }
-    sheet
+    let mut all = BOLTS_MM.into_iter().map(|bolt| bolt.0);
+    all.find(bears).unwrap_or(BOLTS_MM[BOLTS_MM.len() - 1].0)
 }
 
-/// The symbol of the first-angle projection (ISO 5456-2).
-fn projection(sheet: &mut DrawingSheet, [x, y]: [f64; 2]) {
-    let cone = [[0.0, -1.25], [6.0, -2.5], [6.0, 2.5], [0.0, 1.25]];
-    sheet.outline(Thin, cone.map(|[a, b]| [x + a, y + b]));
-    for radius in [1.25, 2.5] {
-        sheet.circle(Thin, [x + 12.0, y], radius);
+impl Frame {
+    /// The frame of a plan.
+    pub fn new(plan: &Plan) -> Self {
+        let load_n = plan.loads.proof_end_load_high_n;
+        let (plug, bar) = (&plan.air_plug, plan.air_plug.bolt.bar);
+        let side_mm = plug.side_mm.max(plan.eye_plug.side_mm);
+        let between = |plug: &Plug| plug.eye_mm - plug.stem.length_mm;
+        let apart_mm = plan.faces_mm(-STRETCH) + between(plug) + between(&plan.eye_plug);
+        let rod_mm = rod_mm(0.5 * load_n, apart_mm);
+        let sold_mm = WIDTHS_MM.into_iter().find(|mm| *mm >= 2.5 * rod_mm);
+        let width_mm = sold_mm.unwrap_or(2.5 * rod_mm);
+        let frame = |thick_mm| Self {
+            bar,
+            bar_length_mm: 2.0 * bar.reach_mm + width_mm,
+            bridge_mm: [side_mm + 2.0 * bar.thick_mm, width_mm, thick_mm],
+            rod_mm,
+            rod_length_mm: (apart_mm + bar.width_mm + 2.0 * BEYOND_MM).ceil(),
+        };
+        let mut all = FLATS_MM.into_iter().map(frame);
+        let bears = |frame: &Self| frame.stress(load_n).is_borne();
+        all.find(bears)
+            .unwrap_or(frame(FLATS_MM[FLATS_MM.len() - 1]))
     }
-    sheet.line(Axis, [[x - 1.5, y], [x + 15.5, y]]);
+
+    /// A bridge carries a half of the load of an end from bar to bar, a length l − t: M = F (l − t)/8.
+    pub fn stress(&self, load_n: f64) -> Stress {
+        let [length, width, thick] = self.bridge_mm;
+        let section = (width - hole_mm(self.rod_mm)) * thick * thick / 6.0;
+        let moment = 0.125 * load_n * (length - self.bar.thick_mm);
+        steel("bridge of the frame, bending", moment / section)
+    }
+
+    /// The frame with the muscle in it, with the nearer bars left out.
+    pub(crate) fn drawing(&self, plan: &Plan) -> DrawingSheet {
+        let half = 0.5 * plan.faces_mm(0.0);
+        let Bar {
+            width_mm, reach_mm, ..
+        } = self.bar;
+        let [_, wide_mm, thick_mm] = self.bridge_mm;
+        let ends = [(&plan.air_plug, -1.0), (&plan.eye_plug, 1.0)];
+        let size = [self.rod_length_mm, self.bar_length_mm];
+        let scale = largest(|s| s * size[0] <= WIDTH_MM - 30.0 && s * size[1] <= 70.0);
+        let load = plan.shown.force(plan.loads.proof_end_load_high_n);
+        let title = format!("Frame for {load}, without the nearer bars");
+        let mut sheet = sheets::sheet(plan, &title, scale, scale * size[1] + 24.0);
+        let mut v = View {
+            sheet: &mut sheet,
+            origin: [0.5 * WIDTH_MM, 6.0 + 0.5 * scale * size[1]],
+            scale,
+        };
+        let body = 0.5 * plan.clamped_diameter_mm;
+        v.rectangle([-half, half], [-body, body]);
+        let apart = |plug: &Plug| half + plug.eye_mm - plug.stem.length_mm;
+        for (plug, out) in ends {
+            v.head(
+                plug,
+                out * (half - plug.stem.length_mm + plug.stem.datum_mm),
+                out,
+            );
+            let eye = apart(plug);
+            let inner = eye - 0.5 * width_mm;
+            let bridge = inner - thick_mm;
+            let nut = bridge - 0.8 * self.rod_mm;
+            for sign in [-1.0, 1.0] {
+                let side = 0.5 * sign * plug.side_mm;
+                let about = |half: f64| [sign * reach_mm - half, sign * reach_mm + half];
+                let x = |from: f64, to: f64| [out * from, out * to];
+                v.rectangle(
+                    x(inner, eye + 0.5 * width_mm),
+                    [side, 0.5 * sign * self.bar_length_mm],
+                );
+                v.rectangle(x(bridge, inner), about(0.5 * wide_mm));
+                v.rectangle(x(nut, bridge), about(0.9 * self.rod_mm));
+            }
+        }
+        let rod = 0.5 * self.rod_length_mm;
+        for y in [-1.0, 1.0].map(|sign| sign * reach_mm) {
+            let r = 0.5 * self.rod_mm;
+            v.rectangle([-rod, rod], [y - r, y + r]);
+        }
+        let [held, stretched] = [0.0, -STRETCH].map(|e| plan.shown.bare(plan.faces_mm(e)));
+        let faces = format!("{held}, then {stretched}");
+        let row = 0.5 * scale * size[1] + 5.0;
+        v.across((-half, half), (body, body), row, &faces);
+        let between = plan.shown.bare(2.0 * reach_mm);
+        v.beside((-reach_mm, reach_mm), rod, scale * rod + 6.0, &between);
+        sheet
+    }
 }

@@ -1,9 +1,11 @@
 //! The bill of materials.
 
 use crate::{
-    Cut, Plan, SleeveCut, build_sheet,
+    Cut, Plan, SleeveCut,
     ends::{BOLT_BAND_MM, BOLT_MM, Press},
+    frame::Frame,
     mould::Mould,
+    paper,
     plug::Plug,
     text::{mm, significant},
 };
@@ -14,57 +16,29 @@ use mckibben_design::tubes::{self, TubePart};
 
 /// Tolerance of equal diameters of part and muscle, in mm.
 const SAME_MM: f64 = 0.011;
-/// What is used up by every muscle: what, how much, what for.
-const CONSUMABLES: [[&str; 3]; 3] = [
-    [
-        "isopropyl alcohol",
-        "a little",
-        "to push the tube on; it dries",
-    ],
-    [
-        "adhesive tape",
-        "0.5 m",
-        "to mark, and to cut a sleeve that does not melt",
-    ],
-    [
-        "thread seal tape",
-        "0.2 m",
-        "for a thread without a seal of its own",
-    ],
+/// Ranges of hose clamps as they are sold (DIN 3017-1), in mm.
+const RANGES_MM: [[f64; 2]; 16] = [
+    [8.0, 12.0],
+    [10.0, 16.0],
+    [12.0, 22.0],
+    [16.0, 27.0],
+    [20.0, 32.0],
+    [25.0, 40.0],
+    [32.0, 50.0],
+    [40.0, 60.0],
+    [50.0, 70.0],
+    [60.0, 80.0],
+    [70.0, 90.0],
+    [80.0, 100.0],
+    [90.0, 110.0],
+    [100.0, 120.0],
+    [120.0, 140.0],
+    [140.0, 160.0],
 ];
-
-/// What is used up: what, how much, what for.
-pub fn consumables(plan: &Plan) -> Vec<[String; 3]> {
-    let shown = &plan.shown;
-    let [relief, proof] =
-        [plan.highest_mpa(), plan.safety.proof_pressure_mpa].map(|mpa| shown.pressure(mpa));
-    let supply = if plan.liquid { "pump" } else { "regulator" };
-    let supply = format!("{supply}, shut-off valve, relief valve");
-    let resin = [
-        "epoxy resin or thin cyanoacrylate",
-        "a little",
-        "to seal the printed plugs",
-    ];
-    let resin = plan.air_plug.is_printed().then_some(resin);
-    let pump = format!("for the proof test, to {proof}");
-    let glasses = "safety glasses, screen, water, hand pump with gauge";
-    CONSUMABLES
-        .into_iter()
-        .chain(resin)
-        .map(|row| row.map(String::from))
-        .chain([
-            [supply, "1 each".into(), format!("relief at {relief}")],
-            [glasses.into(), "1 each".into(), pump],
-        ])
-        .collect()
-}
-
 /// A line of the bill.
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Default, serde::Serialize, schemars::JsonSchema)]
 pub struct BuildPart {
-    /// Number in the drawing.
-    pub number: u32,
     /// What it is.
     pub part: String,
     /// Its size and standard.
@@ -104,14 +78,22 @@ pub fn density_kg_per_m3(muscle: &Muscle) -> Option<f64> {
 }
 
 /// A part that is bought by its size.
-fn bought(number: u32, part: &str, size: String, count: usize) -> BuildPart {
+fn bought(part: &str, size: String, count: usize) -> BuildPart {
     BuildPart {
-        number,
         part: part.into(),
         size,
         amount: count.to_string(),
         spare: "1".into(),
         ..BuildPart::default()
+    }
+}
+
+/// A part that all muscles share, or that is used up.
+fn shared(part: &str, size: impl Into<String>, amount: impl Into<String>) -> BuildPart {
+    BuildPart {
+        amount: amount.into(),
+        spare: "–".into(),
+        ..bought(part, size.into(), 1)
     }
 }
 
@@ -122,32 +104,120 @@ fn pressed(plan: &Plan, press: Press) -> BuildPart {
             let on = significant(plan.clamped_diameter_mm, 3);
             let [band, bolt] = [BOLT_BAND_MM, BOLT_MM].map(mm);
             let size = format!("DIN 3017-3, ⌀{on} mm, band {band} mm, bolt M{bolt}");
-            bought(8, "clamp with a T-bolt", size, 2 * count)
+            bought("clamp with a T-bolt", size, 2 * count)
         }
         Press::Ferrule(ferrule) => {
-            let sizes = [ferrule.outer_mm, ferrule.wall_mm, ferrule.length_mm].map(mm);
-            let [outer, wall, long] = sizes;
+            let [outer, wall, long] =
+                [ferrule.outer_mm, ferrule.wall_mm, ferrule.length_mm].map(mm);
             let size =
                 format!("steel tube EN 10305-1, E235+N, {outer} × {wall} mm, {long} mm long");
-            bought(8, "ferrule", size, 2)
+            bought("ferrule", size, 2)
         }
     }
 }
 
+/// What is ordered: of each of equal muscles side by side, then what all of them share.
 pub fn bill(plan: &Plan) -> Vec<BuildPart> {
-    let plug = |number, name: &str, plug: &Plug| BuildPart {
+    let mut parts = of_a_muscle(plan);
+    for part in &mut parts {
+        let count = plan.count();
+        part.amount = match part.amount.parse::<u32>() {
+            Ok(each) => (count * each).to_string(),
+            Err(_) if count > 1 => format!("{count} × {}", part.amount),
+            Err(_) => continue,
+        };
+    }
+    if plan.is_cast() {
+        let mould = Mould::new(&plan.cut);
+        let [rod, rod_length, bore, pipe] = [
+            mould.rod_mm,
+            mould.rod_length_mm,
+            mould.bore_mm,
+            mould.pipe_mm,
+        ]
+        .map(mm);
+        let size = format!(
+            "rod {rod} mm, {rod_length} mm long; smooth pipe with a bore of {bore} mm, {pipe} mm \
+             long; release agent, syringe of 60 mL, scale"
+        );
+        parts.push(shared("mould for the tube", size, "1"));
+    }
+    let frame = Frame::new(plan);
+    let long = |mm: f64| plan.shown.length(mm.ceil());
+    let flat = |what: &str, [length, width, thick]: [f64; 3]| {
+        let size = format!("EN 10058, S235JR, {width} × {thick} mm");
+        shared(what, size, format!("4 × {}", long(length)))
+    };
+    let bar = frame.bar;
+    let rod = format!("DIN 976-1, class 8.8, M{}, with 8 nuts", mm(frame.rod_mm));
+    parts.extend([
+        flat(
+            "bars of the frame",
+            [frame.bar_length_mm, bar.width_mm, bar.thick_mm],
+        ),
+        flat("bridges of the frame", frame.bridge_mm),
+        shared(
+            "threaded rods of the frame",
+            rod,
+            format!("2 × {}", long(frame.rod_length_mm)),
+        ),
+    ]);
+    let shown = &plan.shown;
+    let [relief, proof] =
+        [plan.highest_mpa(), plan.safety.proof_pressure_mpa].map(|mpa| shown.pressure(mpa));
+    let supply = if plan.liquid {
+        "pump, shut-off valve, relief valve"
+    } else {
+        "regulator, shut-off valve, relief valve"
+    };
+    let pull = shown.force(plan.operating.stretched.range_n()[2]);
+    let hose = plan.air_plug.port.map(|port| port.fitting.hose());
+    parts.extend(hose.map(|hose| shared(&hose, format!("for {proof}"), "2 m")));
+    let resin = "epoxy resin or thin cyanoacrylate";
+    let resin = shared(resin, "to seal the printed plugs", "a little");
+    parts.extend(plan.air_plug.is_printed().then_some(resin));
+    parts.extend([
+        shared(supply, format!("relief at {relief}"), "1 each"),
+        shared(
+            "hand pump with gauge",
+            format!("for water, to {proof}"),
+            "1",
+        ),
+        shared("safety glasses, screen", "for the proof test", "1 each"),
+        shared(
+            "load cell or spring scale",
+            format!("for at least {pull}"),
+            "1",
+        ),
+        shared(
+            "isopropyl alcohol",
+            "to push the tube on; it dries",
+            "a little",
+        ),
+        shared(
+            "adhesive tape",
+            "to mark, and to cut a sleeve that does not melt",
+            "0.5 m",
+        ),
+        shared(
+            "thread seal tape",
+            "for a thread without a seal of its own",
+            "0.2 m",
+        ),
+    ]);
+    parts
+}
+
+fn of_a_muscle(plan: &Plan) -> Vec<BuildPart> {
+    let plug = |name: &str, plug: &Plug| BuildPart {
         mass_g: Some(plug.mass_g()),
         spare: "–".into(),
-        ..bought(number, name, plug.stock(), 1)
+        ..bought(name, plug.bought(), 1)
     };
     let bolt = |plug: &Plug| {
-        let size = format!(
-            "M{} × {} mm, class {}",
-            mm(plug.bolt.mm),
-            plug.bolt_length_mm(),
-            plug.bolt.class
-        );
-        bought(7, "bolt with nut", size, 1)
+        let [diameter, length] = [plug.bolt.mm, plug.bolt_length_mm()].map(mm);
+        let size = format!("M{diameter} × {length} mm, class {}", plug.bolt.class);
+        bought("bolt with nut", size, 1)
     };
     let mut bolts = vec![bolt(&plan.air_plug), bolt(&plan.eye_plug)];
     if bolts[0] == bolts[1] {
@@ -160,49 +230,41 @@ pub fn bill(plan: &Plan) -> Vec<BuildPart> {
     let size = if ends.has_ties {
         format!("{band} mm wide, PA 66")
     } else {
-        let [from, to] =
-            [plan.squeezed_mm(), plan.clamped_diameter_mm].map(|mm| significant(mm, 3));
-        format!("DIN 3017-1, for ⌀{from} to {to} mm, band {band} mm")
+        let [from, to] = [plan.squeezed_mm(), plan.clamped_diameter_mm];
+        let mut sold = RANGES_MM.into_iter();
+        let sold = sold.find(|[low, high]| *low <= from && to <= *high);
+        let [from, to] = sold.unwrap_or([from, to]).map(|mm| significant(mm, 3));
+        format!("DIN 3017-1, {from} to {to} mm, band {band} mm")
     };
     let clamp = BuildPart {
         spare: if ends.has_ties { clamps } else { 1 }.to_string(),
-        ..bought(5, ends.band(), size, clamps)
+        ..bought(ends.band(), size, clamps)
     };
-    let fitting = plan.air_plug.port.map(|port| port.fitting);
-    let fitting = fitting.map_or_else(String::new, |fitting| fitting.part());
     let proof = plan.shown.pressure(plan.safety.proof_pressure_mpa);
     let for_proof = format!("for {proof} at least: it is in the proof test too");
     let mut parts = vec![
         tube(plan),
         sleeve(plan, &plan.cut.sleeve),
-        plug(3, "air plug", &plan.air_plug),
-        plug(4, "eye plug", &plan.eye_plug),
+        plug("air plug", &plan.air_plug),
+        plug("eye plug", &plan.eye_plug),
         clamp,
-        bought(6, &fitting, for_proof, 1),
     ];
+    if plan.is_cast() {
+        parts.insert(
+            0,
+            BuildPart {
+                amount: format!("{} mL", paper::mixed_ml(plan)),
+                spare: "–".into(),
+                ..bought("silicone for the tube", "parts A and B".into(), 1)
+            },
+        );
+    }
+    let fitting = plan.air_plug.port.map(|port| port.fitting);
+    parts.extend(fitting.map(|fitting| bought(&fitting.part(), for_proof, 1)));
     parts.extend(bolts);
     parts.extend(ends.press.map(|press| pressed(plan, press)));
-    if plan.is_cast() {
-        let mould = Mould::new(&plan.cut);
-        let mixed = build_sheet::mixed_ml(plan);
-        let size = format!("{mixed} mL in all; release agent, syringe of 60 mL, scale");
-        parts.push(bought(10, "silicone for the tube, parts A and B", size, 1));
-        let size = format!(
-            "rod {} mm, {} mm long; smooth pipe with a bore of {} mm, {} mm long",
-            mm(mould.rod_mm),
-            mm(mould.rod_length_mm),
-            mm(mould.bore_mm),
-            mm(mould.pipe_mm)
-        );
-        parts.push(bought(11, "mould for the tube", size, 1));
-    }
-    if plan.liquid {
-        let size = plan
-            .air_plug
-            .port
-            .map_or_else(String::new, |p| p.fitting.to_string());
-        parts.push(bought(9, "bleed screw with seal", size, 1));
-    }
+    let bleed = fitting.filter(|_| plan.liquid);
+    parts.extend(bleed.map(|fitting| bought("bleed screw with seal", fitting.to_string(), 1)));
     parts
 }
 
@@ -214,7 +276,6 @@ fn tube(plan: &Plan) -> BuildPart {
     let shown = |mm: f64| plan.shown.length(mm);
     let (bore, outer) = (cut.bore_mm(), cut.tube_outer_diameter_mm);
     BuildPart {
-        number: 1,
         part: rubber.map_or_else(|| what.into(), |name| format!("{what} of {name}")),
         size: format!("bore {}, outer diameter {}", shown(bore), shown(outer)),
         amount: plan.shown.length(cut.tube_mm),
@@ -250,7 +311,6 @@ fn sleeve(plan: &Plan, cut: &SleeveCut) -> BuildPart {
     let angle = mm(muscle.braid().angle_deg);
     let on = mm(muscle.outer_diameter_mm());
     BuildPart {
-        number: 2,
         part: entry.map_or_else(|| "braided sleeve".into(), |entry| entry.title.clone()),
         size: format!("{angle}° on {on} mm{strands}"),
         spare: shown(cut.relaxed_mm.unwrap_or(cut.mounted_mm)),
@@ -266,7 +326,7 @@ fn sleeve(plan: &Plan, cut: &SleeveCut) -> BuildPart {
 pub fn csv(plan: &Plan) -> Result<String, csv::Error> {
     let mut out = csv::Writer::from_writer(vec![]);
     out.write_record([
-        "number", "part", "size", "amount", "spare", "sold as", "mass (g)", "price", "source",
+        "part", "size", "amount", "spare", "sold as", "mass (g)", "price", "source",
     ])?;
     for part in &plan.parts {
         let (sold_as, price, source) = (&part.sold_as, &part.price, &part.source);
@@ -281,10 +341,7 @@ pub fn csv(plan: &Plan) -> Result<String, csv::Error> {
             source.as_deref().unwrap_or_default(),
         ];
         let cells = texts.map(|text| clean::cell(&clean::line(text)).into_owned());
-        out.write_record([part.number.to_string()].iter().chain(&cells))?;
-    }
-    for [part, amount, about] in consumables(plan) {
-        out.write_record(["", &part, &about, &amount, "", "consumable", "", "", ""])?;
+        out.write_record(&cells)?;
     }
     let bytes = out.into_inner().map_err(|e| e.into_error())?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())

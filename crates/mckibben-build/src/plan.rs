@@ -17,7 +17,6 @@ use mckibben_core::{
     refused::Refused,
     rubber::RubberLaw,
     sleeve::library,
-    units::rounded,
     warning::buckling_load_n,
 };
 use std::f64::consts::PI;
@@ -77,6 +76,8 @@ const PRINTED_FROM_MM: f64 = 4.0;
 /// The load of an end in the proof test over that in use at least, where the burst pressure limits
 /// the proof (a choice).
 const LEAST_PROOF: f64 = 1.2;
+/// The same of every other (a choice).
+pub const USUAL_PROOF: f64 = 1.5;
 
 impl Plan {
     pub fn new(muscle: Muscle, operating: Operating, wishes: &Wishes) -> Result<Self, Refused> {
@@ -86,7 +87,9 @@ impl Plan {
             ..wishes.clone()
         };
         let loads = EndLoads::new(&muscle, &operating);
-        refuse_unproved(&operating, &loads, &wishes.shown)?;
+        if let Some(message) = unproved(&operating, &loads, LEAST_PROOF, &wishes.shown) {
+            return Err(Refused::new(["pressure_mpa"], message));
+        }
         let EndParts {
             muscle,
             cut,
@@ -132,6 +135,11 @@ impl Plan {
     /// Whether its tube is one that people cast.
     pub(crate) fn is_cast(&self) -> bool {
         material::tube_of(&self.muscle, &self.cut).is_some_and(|tube| tube.is_cast)
+    }
+
+    /// Equal muscles side by side, of which it is one.
+    pub(crate) fn count(&self) -> u32 {
+        self.muscle.job().and_then(|job| job.count).unwrap_or(1)
     }
 
     /// What fills the muscle.
@@ -188,27 +196,31 @@ impl Plan {
         buckling_load_n(&self.muscle, &at_rest)
     }
 
-    /// What each end carries, in words.
-    pub fn ends_carry(&self) -> String {
-        let (loads, use_) = (&self.loads, &self.operating.in_use);
-        let shown = &self.shown;
-        let [carries, proof, low, high] = [
-            loads.end_load_n,
-            loads.proof_end_load_n,
+    /// What each end carries in the proof test, with the range as built.
+    pub(crate) fn proof_load(&self) -> String {
+        let loads = &self.loads;
+        let [low, proof, high] = [
             loads.proof_end_load_low_n,
+            loads.proof_end_load_n,
             loads.proof_end_load_high_n,
         ]
-        .map(|n| shown.force(n));
-        let range = match low == high {
-            true => String::new(),
-            false => format!(" ({low} to {high} as built)"),
-        };
+        .map(|n| self.shown.force(n));
+        match low == high {
+            true => proof,
+            false => format!("{proof} ({low} to {high} as built)"),
+        }
+    }
+
+    /// What each end carries, in words.
+    pub fn ends_carry(&self) -> String {
+        let (loads, use_, shown) = (&self.loads, &self.operating.in_use, &self.shown);
         format!(
-            "each carries up to {carries} in use (at {}, {}, while it lengthens) and {proof}{range} in \
-             the proof test: {} times as much, and {} times what it carries stretched by {} at that \
-             pressure",
+            "each carries up to {} in use (at {}, {}, while it lengthens) and {} in the proof test: {} \
+             times as much, and {} times what it carries stretched by {} at that pressure",
+            shown.force(loads.end_load_n),
             shown.pressure(use_.pressure_mpa),
             percent(use_.contraction),
+            self.proof_load(),
             significant(loads.proof_to_use, 3),
             significant(loads.proof_to_stretched, 3),
             percent(STRETCH)
@@ -239,6 +251,12 @@ impl Plan {
                 self.ends_hold()
             ));
         }
+        out.extend(unproved(
+            &self.operating,
+            &self.loads,
+            USUAL_PROOF,
+            &self.shown,
+        ));
         if !self.ends.bear(load_n) {
             out.push(match self.ends.made {
                 EndsMade::Tied => {
@@ -349,24 +367,20 @@ impl EndParts {
     }
 }
 
-/// A proof test that the burst pressure lowers must still load the ends with more than use does.
-fn refuse_unproved(operating: &Operating, loads: &EndLoads, shown: &Shown) -> Result<(), Refused> {
-    let [working_mpa, proof_mpa] = [operating.highest_mpa, operating.proof.pressure_mpa];
-    let is_lowered = proof_mpa < PROOF_TO_WORKING * working_mpa * (1.0 - 1e-9);
-    let is_proved = loads.proof_to_use >= LEAST_PROOF && loads.proof_to_stretched >= 1.0;
-    Refused::unless(is_proved || !is_lowered, ["pressure_mpa"], || {
-        let most_mpa = rounded(
-            working_mpa * loads.proof_to_use / LEAST_PROOF,
-            2,
-            f64::floor,
-        );
+/// What a proof test that the burst pressure lowers leaves to be desired: less than so many times what
+/// the ends carry in use.
+fn unproved(operating: &Operating, loads: &EndLoads, times: f64, shown: &Shown) -> Option<String> {
+    let proof_mpa = operating.proof.pressure_mpa;
+    let is_lowered = proof_mpa < PROOF_TO_WORKING * operating.highest_mpa * (1.0 - 1e-9);
+    let is_proved = loads.proof_to_use >= times && loads.proof_to_stretched >= 1.0;
+    (is_lowered && !is_proved).then(|| {
         format!(
             "three quarters of the least burst pressure allow a proof test of {}, which loads the ends \
-             with {} times what use does: less than {LEAST_PROOF}; work at {} or less, or take a sleeve \
+             with {} times what use does: less than {times}; work at {} or less, or take a sleeve \
              with more or stronger strands, or a thicker wall",
             shown.pressure(proof_mpa),
             significant(loads.proof_to_use, 3),
-            shown.pressure(most_mpa)
+            shown.pressure(loads.proved_mpa(operating, times))
         )
     })
 }

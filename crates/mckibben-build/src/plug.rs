@@ -3,13 +3,14 @@
 
 use crate::{
     fitting::Fitting,
+    frame::Bar,
     mesh::{FACETS, Mesh, Ring},
     stem::Stem,
 };
 use std::f64::consts::{FRAC_PI_4, PI, SQRT_2, TAU};
 
 /// Bolts and their holes (ISO 273, medium), in mm.
-const BOLTS_MM: [(f64, f64); 15] = [
+pub const BOLTS_MM: [(f64, f64); 15] = [
     (3.0, 3.4),
     (4.0, 4.5),
     (5.0, 5.5),
@@ -31,6 +32,13 @@ const BARS_MM: [f64; 18] = [
     8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 60.0, 70.0, 80.0, 90.0, 100.0,
     120.0, 160.0,
 ];
+/// What saw and lathe take of a bar in mm (a choice).
+const SAW_MM: f64 = 5.0;
+/// Round bars as they are sold (EN 754-3), in mm.
+const ROUNDS_MM: [f64; 25] = [
+    8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 30.0, 32.0, 35.0, 40.0, 45.0, 50.0,
+    55.0, 60.0, 65.0, 70.0, 80.0, 90.0, 100.0, 120.0, 150.0,
+];
 /// Lengths of bolts as they are sold (ISO 888) in mm, up to ten times their diameter (ISO 4014).
 const BOLT_LENGTHS_MM: [f64; 18] = [
     16.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 55.0, 60.0, 70.0, 80.0, 90.0, 100.0, 120.0,
@@ -39,11 +47,11 @@ const BOLT_LENGTHS_MM: [f64; 18] = [
 const LONGEST_BOLT: f64 = 10.0;
 /// Classes of bolts with their yield strength in MPa (ISO 898-1; the harder ones are sold as socket
 /// screws, ISO 4762), and how far the stress in the proof test stays below it (a choice).
-const CLASSES: [(&str, f64); 2] = [("8.8", 640.0), ("12.9", 1100.0)];
-const BOLT_FACTOR: f64 = 1.1;
+pub const CLASSES: [(&str, f64); 2] = [("8.8", 640.0), ("12.9", 1100.0)];
+pub const BOLT_FACTOR: f64 = 1.1;
 /// The least root of a coarse thread over its diameter: that of M4 (ISO 724). A bolt may have its
 /// thread anywhere in the head.
-const ROOT: f64 = 0.785;
+pub const ROOT: f64 = 0.785;
 /// Yield in shear over that in tension (von Mises; Budynas & Nisbett 2011 \[budynas2011\], section
 /// 5-5).
 const SHEAR: f64 = 0.577;
@@ -87,16 +95,8 @@ pub struct Bolt {
     pub mm: f64,
     pub class: &'static str,
     pub yields_mpa: f64,
-}
-
-impl Bolt {
-    fn new(mm: f64, (class, yields_mpa): (&'static str, f64)) -> Self {
-        Self {
-            mm,
-            class,
-            yields_mpa,
-        }
-    }
+    /// What holds it in the proof test.
+    pub bar: Bar,
 }
 
 /// A stress at a load, beside what it may be.
@@ -150,19 +150,9 @@ pub struct Plug {
 }
 
 /// Hole of a bolt in mm.
-fn hole_mm(bolt_mm: f64) -> f64 {
+pub fn hole_mm(bolt_mm: f64) -> f64 {
     let known = BOLTS_MM.iter().find(|b| b.0 == bolt_mm);
     known.map_or(1.1 * bolt_mm, |b| b.1)
-}
-
-/// The rod in mm of class 8.8 that bears a half of a load in N by its thread.
-pub fn rod_mm(load_n: f64) -> f64 {
-    let bears = |mm: &f64| {
-        let root = ROOT * mm;
-        BOLT_FACTOR * 0.5 * load_n <= CLASSES[0].1 * 0.25 * PI * root * root
-    };
-    let mut all = BOLTS_MM.into_iter().map(|bolt| bolt.0);
-    all.find(bears).unwrap_or(BOLTS_MM[BOLTS_MM.len() - 1].0)
 }
 
 impl Plug {
@@ -181,9 +171,15 @@ impl Plug {
         let largest_mm = bolt_mm.unwrap_or(BOLTS_MM[BOLTS_MM.len() - 1].0);
         let sizes = BOLTS_MM.iter().map(|b| b.0);
         let sizes = sizes.filter(|_| bolt_mm.is_none()).chain([largest_mm]);
-        let mut all = sizes.flat_map(|mm| CLASSES.map(|class| with(Bolt::new(mm, class))));
+        let bolt = |mm, (class, yields_mpa)| Bolt {
+            mm,
+            class,
+            yields_mpa,
+            bar: Bar::new(mm, outer_mm, load_n),
+        };
+        let mut all = sizes.flat_map(|mm| CLASSES.map(|class| with(bolt(mm, class))));
         all.find(bears)
-            .unwrap_or_else(|| with(Bolt::new(largest_mm, CLASSES[1])))
+            .unwrap_or_else(|| with(bolt(largest_mm, CLASSES[1])))
     }
 
     /// The same with a bolt.
@@ -213,7 +209,9 @@ impl Plug {
         let foot_mm = stem.length_mm + collar_mm.map_or(0.0, |_| COLLAR_MM.0);
         let port = fitting.map(|fitting| Port::new(fitting, stem, foot_mm, side_mm));
         let above_mm = port.map_or(foot_mm, |p| p.height_mm + 0.5 * p.hole_mm);
-        let eye_mm = above_mm + 0.5 * hole_mm + 3.0_f64.max(0.5 * hole_mm);
+        let beside_mm = above_mm + 0.5 * hole_mm + 3.0_f64.max(0.5 * hole_mm);
+        // The bar that holds the bolt has room beside a collar.
+        let eye_mm = beside_mm.max(foot_mm + 0.5 * bolt.bar.width_mm + 1.0);
         Self {
             stem: stem.clone(),
             material,
@@ -259,6 +257,7 @@ impl Plug {
             .map_or((0.0, 0.0), |p| (p.passage_mm, p.hole_mm * p.depth_mm));
         let edge = self.length_mm - self.eye_mm - 0.5 * hole;
         vec![
+            self.bolt.bar.stress(bolt, load_n),
             steel(
                 "bolt, bending",
                 32.0 * moment / (PI * root.powi(3)),
@@ -305,8 +304,20 @@ impl Plug {
         let name = self.material.name;
         match self.collar_mm {
             _ if self.is_printed() => name.into(),
-            Some(collar) => format!("{name}, round bar {} mm", collar.ceil()),
+            Some(collar) => {
+                let sold = ROUNDS_MM.into_iter().find(|mm| *mm > collar);
+                format!("{name}, round bar {} mm", sold.unwrap_or(collar.ceil()))
+            }
             None => format!("{name}, square bar {} mm", self.side_mm),
+        }
+    }
+
+    /// The same with the length of bar for it, with what saw and lathe take.
+    pub(crate) fn bought(&self) -> String {
+        let stock = self.stock();
+        match self.is_printed() {
+            true => stock,
+            false => format!("{stock}, {} mm of it", self.length_mm + SAW_MM),
         }
     }
 
@@ -445,6 +456,17 @@ impl Port {
         }
     }
 
+    /// Where the passage ends on the wall of the hole: points around it.
+    pub(crate) fn met(&self, count: usize) -> Vec<[f64; 3]> {
+        let (r, p) = (0.5 * self.hole_mm, 0.5 * self.passage_mm);
+        let place = |i: usize| {
+            let (sin, cos) = (TAU * i as f64 / count as f64).sin_cos();
+            let x = p * cos;
+            [x, p * sin, self.height_mm - (r * r - x * x).sqrt()]
+        };
+        (0..count).map(place).collect()
+    }
+
     /// The hole of the thread in a flat, the passage from the tip of the stem, and where they meet.
     fn bore(&self, mesh: &mut Mesh, flat: &[usize], tip: &[usize], half: f64) {
         let (r, p, height) = (0.5 * self.hole_mm, 0.5 * self.passage_mm, self.height_mm);
@@ -461,12 +483,10 @@ impl Port {
         mesh.polygon(&floor, |[x, _, z]| [z, x]);
         // The passage ends on the wall of the hole.
         let below = mesh.ring([p, 0.0]);
-        let above: Ring = (0..FACETS)
-            .map(|i| {
-                let (sin, cos) = (TAU * i as f64 / FACETS as f64).sin_cos();
-                let x = p * cos;
-                mesh.corner([x, p * sin, height - (r * r - x * x).sqrt()])
-            })
+        let above: Ring = self
+            .met(FACETS)
+            .into_iter()
+            .map(|at| mesh.corner(at))
             .collect();
         mesh.band(&below, tip);
         mesh.band(&above, &below);

@@ -50,11 +50,16 @@ impl Plan {
                 required.unwrap_or_default()
             )
         };
-        let count = self.muscle.job().and_then(|job| job.count);
-        let count = count.map(|n| {
+        let count = self.count();
+        let all = operating.pulls.first().and_then(|at| at.required_n);
+        let all = all.map_or_else(String::new, |n| {
             format!(
-                "It is one of {n} equal muscles side by side: build {n}; all numbers are those of one."
+                ", which pull {} where they lie side by side",
+                shown.force(f64::from(count) * n)
             )
+        });
+        let count = (count > 1).then(|| {
+            format!("It is one of {count} equal muscles{all}: build {count}; all numbers are those of one.")
         });
         let pulls = operating.pulls.iter().map(pull);
         pulls.chain([at_rest]).chain(count).collect()
@@ -62,17 +67,22 @@ impl Plan {
 
     /// The energy that it stores, in sentences.
     pub fn energy(&self) -> String {
-        let joules = |j: f64| format!("{} J", significant(j, 2));
+        let count = self.count();
+        let joules = |j: f64| format!("{} J", significant(f64::from(count) * j, 2));
+        let all = match count {
+            1 => String::new(),
+            count => format!(" of all {count}"),
+        };
         let air = joules(self.operating.air_energy_j());
         let wall = joules(self.safety.wall_energy_j);
         let stored = if self.liquid {
             format!(
-                "Rubber and strands store up to {wall} at the working pressure, and the liquid hardly \
+                "Rubber and strands{all} store up to {wall} at the working pressure, and the liquid hardly \
                  any. With air in it, it would store {air} more: bleed it."
             )
         } else {
             format!(
-                "At the working pressure the air stores up to {air}, rubber and strands up to {wall}."
+                "At the working pressure the air{all} stores up to {air}, rubber and strands up to {wall}."
             )
         };
         stored
@@ -131,29 +141,13 @@ impl Plan {
 pub fn markdown(plan: &Plan, files: &[File]) -> String {
     let plain = |text: String| clean::markdown(&text);
     let title = plain(plan.title());
-    let verdict = joined(plan.verdict().into_iter().map(plain), "\n");
+    let verdict = plain(plan.verdict().join(" "));
     let stops = plan.stops().into_iter();
     let stops = joined(stops.map(|text| format!("> - {}", plain(text))), "\n");
-    let link = |file: &File| format!("| [{0}]({0}) | {1} |", file.name, file.about);
-    let files = joined(files.iter().map(link), "\n");
-    let made = if plan.air_plug.is_printed() {
-        "Print the plugs"
-    } else {
-        "Have the plugs turned"
-    };
-    let work = [
-        "Buy what `bom.csv` lists.".to_owned(),
-        format!("{made} by their sheets."),
-        "Build it by the build sheet, and write down the as-built values.".into(),
-        "Prove it with water, then test it for leaks, by the test record.".into(),
-        "Measure it by `test.csv`; `mckibben identify muscle.toml --data test.csv -o found.toml` \
-         writes the muscle as it was built."
-            .into(),
-    ];
-    let work = work.iter().enumerate();
-    let work = joined(work.map(|(i, text)| format!("{}. {text}", i + 1)), "\n");
+    let link = |file: &File| format!("[{0}]({0}): {1}", file.name, file.about);
+    let files = joined(files.iter().map(link), "; ");
     format!(
-        "# {title}\n\n{verdict}\n\n> **STOP**\n{stops}\n\n## Order of work\n\n{work}\n\n\
-         | file | |\n|---|---|\n{files}\n"
+        "# {title}\n\n{verdict}\n\n> **STOP**\n{stops}\n\n{files}.\n\n\
+         Then `mckibben identify muscle.toml --data test.csv -o found.toml` writes the muscle as built.\n"
     )
 }

@@ -36,8 +36,6 @@ pub struct Operating {
     pub stretched: PullAt,
     /// The same at the pressure of the proof test.
     pub proof: PullAt,
-    /// Its outer contour from the middle (z = 0) to a clamp: z and radius in mm.
-    pub contour_mm: Vec<[f64; 2]>,
     /// The pressures that the muscle bears.
     pub limits: PressureLimits,
     /// What it is for, or half of its free contraction: pulls at contractions.
@@ -95,7 +93,15 @@ impl EndLoads {
         [self.proof_end_load_n, self.proof_end_load_high_n]
     }
 
-    pub(crate) fn new(muscle: &Muscle, operating: &Operating) -> Self {
+    /// The pressure in MPa to work at, below the relief valve, where the proof loads the ends with so
+    /// many times what use does.
+    pub fn proved_mpa(&self, operating: &Operating, times: f64) -> f64 {
+        let relief_mpa = operating.in_use.pressure_mpa * self.proof_to_use / times;
+        rounded(relief_mpa / RELIEF, 2, f64::floor)
+    }
+
+    /// What each end of a muscle carries.
+    pub fn new(muscle: &Muscle, operating: &Operating) -> Self {
         let loads = |at: &PullAt| {
             at.range_n()
                 .map(|n| clamp_load_n(muscle, n.max(0.0), at.pressure_mpa))

@@ -2,6 +2,7 @@
 
 use crate::ends::{BOLT_BAND_MM, Ends, FERRULE_ROOM_MM, Press};
 use mckibben_core::muscle::EndsMade;
+use std::f64::consts::FRAC_PI_8;
 
 /// A stem is so much wider than the bore, as a share of it, at least and at most in mm. A choice:
 /// sellers of barbs say only that a barb is "a little larger" than the bore.
@@ -15,9 +16,12 @@ const GROOVE: (f64, f64) = (0.06, 1.5);
 /// Height of a barb likewise, and at least.
 const BARB: (f64, f64, f64) = (0.05, 0.8, 0.2);
 /// Ribs of a shoulder in mm: pitch and depth.
-const RIB_MM: (f64, f64) = (3.0, 0.4);
+pub const RIB_MM: (f64, f64) = (3.0, 0.4);
+/// No rib lies nearer to the head, in mm.
+pub const RIBS_END_MM: f64 = 2.0;
 /// Radius in mm of the corner at the head: a notch breaks printed layers.
 const FILLET_MM: f64 = 0.8;
+const FILLET_POINTS: usize = 5;
 
 /// The stem of both plugs; heights count from its inner end.
 #[derive(Debug, Clone, PartialEq)]
@@ -98,6 +102,17 @@ impl Stem {
         self.shoulder_mm.map_or(self.length_mm, |s| s[1]) - self.datum_mm
     }
 
+    /// Corners of its profile for a lathe: radii and heights, with the first of its ribs alone, and
+    /// without the fillet at the head.
+    pub(crate) fn corners(&self) -> Vec<[f64; 2]> {
+        let ribs = self.shoulder_mm.map_or(f64::INFINITY, |s| s[1] + RIB_MM.0);
+        let plain = self.profile.len() - FILLET_POINTS;
+        let mut out = self.profile[..plain].to_vec();
+        out.retain(|corner| corner[1] < ribs);
+        out.extend(out.last().map(|last| [last[0], self.length_mm]));
+        out
+    }
+
     fn grooved(&mut self, ends: &Ends) {
         let radius = 0.5 * self.diameter_mm;
         let depth = (GROOVE.0 * self.diameter_mm).min(GROOVE.1);
@@ -147,7 +162,9 @@ impl Stem {
         let (pitch, depth) = RIB_MM;
         self.profile
             .extend([[0.5 * self.diameter_mm, end], [radius, end]]);
-        let count = ((self.length_mm - end - 2.0) / pitch).floor().max(0.0) as usize;
+        let count = ((self.length_mm - end - RIBS_END_MM) / pitch)
+            .floor()
+            .max(0.0) as usize;
         for i in 0..count {
             let z = end + 1.0 + i as f64 * pitch;
             self.profile.extend([
@@ -179,8 +196,8 @@ impl Stem {
             return;
         };
         let r = FILLET_MM.min(0.5 * (self.length_mm - below)).max(0.0);
-        for i in 0..=4 {
-            let (sin, cos) = (std::f64::consts::FRAC_PI_8 * f64::from(i)).sin_cos();
+        for i in 0..FILLET_POINTS {
+            let (sin, cos) = (FRAC_PI_8 * i as f64).sin_cos();
             self.profile
                 .push([radius + r * (1.0 - cos), self.length_mm - r * (1.0 - sin)]);
         }

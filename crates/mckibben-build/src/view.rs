@@ -8,7 +8,7 @@ use mckibben_report::{
 };
 
 /// Height of dimensions and notes in mm.
-pub const SMALL_MM: f64 = 2.5;
+const SMALL_MM: f64 = 2.5;
 /// Length and half width of an arrow in mm.
 const ARROW_MM: (f64, f64) = (2.5, 0.42);
 /// An extension line begins so far from the body, and ends so far beyond the dimension, in mm.
@@ -48,18 +48,24 @@ impl View<'_> {
         self.sheet.outline(pen, self.all_on_sheet(corners));
     }
 
+    pub fn rectangle(&mut self, x: [f64; 2], y: [f64; 2]) {
+        self.outline(
+            Outline,
+            &[[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]],
+        );
+    }
+
     pub fn circle(&mut self, pen: Pen, diameter: f64) {
         self.sheet
             .circle(pen, self.origin, 0.5 * diameter * self.scale);
     }
 
-    /// A plug whose free length ends at `datum` of the body, with its head away from the middle:
-    /// in section above the axis and from outside below it, or all in section.
-    pub fn plug(&mut self, plug: &Plug, datum: f64, side: f64, below_too: bool) {
+    /// A plug in section, whose free length ends at `datum` of the body, with its head away from the
+    /// middle.
+    pub fn plug(&mut self, plug: &Plug, datum: f64, side: f64) {
         let place = |loop_: Vec<[f64; 2]>| -> Vec<[f64; 2]> {
             let at = |[z, y]: [f64; 2]| [datum + side * (z - plug.stem.datum_mm), y];
-            let kept = if below_too { loop_ } else { above(&loop_) };
-            kept.into_iter().map(at).collect()
+            loop_.into_iter().map(at).collect()
         };
         let (outline, hollows) = plug.section();
         let loops: Vec<Vec<[f64; 2]>> = [outline].into_iter().chain(hollows).map(place).collect();
@@ -67,16 +73,13 @@ impl View<'_> {
             self.outline(Outline, edge);
         }
         self.hatch(&loops, false);
-        if !below_too {
-            self.head(plug, datum, side, &[-1.0]);
-        }
     }
 
-    /// The head of a plug from outside, below the axis or on both sides.
-    pub fn head(&mut self, plug: &Plug, datum: f64, side: f64, sides: &[f64]) {
+    /// The head of a plug from outside.
+    pub fn head(&mut self, plug: &Plug, datum: f64, side: f64) {
         let at = |z: f64| datum + side * (z - plug.stem.datum_mm);
         let [stem, foot, end] = [plug.stem.length_mm, plug.foot_mm, plug.length_mm].map(at);
-        for sign in sides {
+        for sign in [-1.0, 1.0] {
             let [collar, head] =
                 [plug.collar_mm.unwrap_or(plug.side_mm), plug.side_mm].map(|d| 0.5 * sign * d);
             let edge = [
@@ -96,14 +99,18 @@ impl View<'_> {
         self.line(Axis, &[[x, -0.8 * plug.hole_mm], [x, 0.8 * plug.hole_mm]]);
     }
 
-    /// A cut rectangle: its edge, and a hatch; filled where it is thin.
-    pub fn cut(&mut self, x: (f64, f64), y: (f64, f64), rising: bool) {
-        let corners = [[x.0, y.0], [x.1, y.0], [x.1, y.1], [x.0, y.1]];
-        if (x.1 - x.0).min(y.1 - y.0) * self.scale < THIN_MM {
-            return self.sheet.fill(self.all_on_sheet(&corners));
+    /// A cut ring, on both sides of the axis: its edges, and a hatch; filled where it is thin.
+    pub fn cut(&mut self, [a, b]: [f64; 2], [inner, outer]: [f64; 2], rising: bool) {
+        for sign in [-1.0, 1.0] {
+            let [low, high] = [sign * inner, sign * outer];
+            let corners = [[a, low], [b, low], [b, high], [a, high]];
+            if (b - a).abs().min(outer - inner) * self.scale < THIN_MM {
+                self.sheet.fill(self.all_on_sheet(&corners));
+            } else {
+                self.outline(Outline, &corners);
+                self.hatch(&[corners.to_vec()], rising);
+            }
         }
-        self.outline(Outline, &corners);
-        self.hatch(&[corners.to_vec()], rising);
     }
 
     /// Lines at 45° in what lies inside of an odd number of loops.
@@ -148,13 +155,6 @@ impl View<'_> {
         );
     }
 
-    /// A vertical dimension between y of the body at a place x of the body, inside of it.
-    pub fn inside(&mut self, x: f64, y: (f64, f64), text: &str) {
-        let a = self.on_sheet(x, y.0);
-        let b = self.on_sheet(x, y.1);
-        dimension(self.sheet, a, b, text);
-    }
-
     /// A vertical dimension beside the body: its line lies at `column`, in mm on paper from the
     /// origin.
     pub fn beside(&mut self, y: (f64, f64), from: f64, column: f64, text: &str) {
@@ -187,22 +187,6 @@ impl View<'_> {
     }
 }
 
-/// What of a loop lies above the axis.
-fn above(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let mut out = vec![];
-    for (i, a) in points.iter().enumerate() {
-        let b = points[(i + 1) % points.len()];
-        if a[1] >= 0.0 {
-            out.push(*a);
-        }
-        if (a[1] < 0.0) != (b[1] < 0.0) {
-            let t = a[1] / (a[1] - b[1]);
-            out.push([a[0] + t * (b[0] - a[0]), 0.0]);
-        }
-    }
-    out
-}
-
 /// A dimension line with arrows and its text: above a horizontal one, to the left of an upright
 /// one. Where arrows have no room inside they point from outside.
 fn dimension(sheet: &mut DrawingSheet, a: [f64; 2], b: [f64; 2], text: &str) {
@@ -221,31 +205,25 @@ fn dimension(sheet: &mut DrawingSheet, a: [f64; 2], b: [f64; 2], text: &str) {
             [foot[0] - side[0], foot[1] - side[1]],
         ]);
     }
-    let width = width_of(text);
-    let room = fits && width + 2.0 < length;
     let out = if fits { 0.0 } else { 2.0 * ARROW_MM.0 };
-    if room {
+    let middle = move_by(a, 0.5 * length);
+    if upright {
+        sheet.line(Thin, [move_by(a, -out), move_by(b, out)]);
+        return sheet.text_upwards([middle[0] - 1.0, middle[1]], SMALL_MM, Anchor::Middle, text);
+    }
+    let width = width_of(text);
+    if fits && width + 2.0 < length {
         sheet.line(Thin, [a, b]);
-        let middle = move_by(a, 0.5 * length);
-        if upright {
-            sheet.text_upwards([middle[0] - 1.0, middle[1]], SMALL_MM, Anchor::Middle, text)
-        } else {
-            sheet.text([middle[0], middle[1] + 1.0], SMALL_MM, Anchor::Middle, text)
-        }
-        return;
+        return sheet.text([middle[0], middle[1] + 1.0], SMALL_MM, Anchor::Middle, text);
     }
     // Beyond the end, on a shelf.
-    let end = if upright {
-        move_by(b, out.max(3.5))
-    } else {
-        move_by(b, out)
-    };
+    let end = move_by(b, out);
     let shelf = [end[0] + width + 1.5, end[1]];
     sheet.line(Thin, [move_by(a, -out), end, shelf]);
     sheet.text([end[0] + 1.0, end[1] + 1.0], SMALL_MM, Anchor::Start, text);
 }
 
 /// The approximate width of a text, in mm.
-pub fn width_of(text: &str) -> f64 {
+fn width_of(text: &str) -> f64 {
     0.75 * SMALL_MM * text.chars().count() as f64
 }

@@ -40,6 +40,8 @@ pub enum Part {
     },
     Figure(Box<Figure>),
     Drawing(DrawingSheet),
+    /// What follows begins on a new page.
+    Break,
     /// A body in space: the data of the script that shows it, as JSON.
     Body(String),
 }
@@ -95,6 +97,15 @@ impl Document {
 }
 
 impl Part {
+    pub fn heading(text: &str) -> Self {
+        Self::Heading(text.to_owned())
+    }
+
+    pub fn table(head: &[&str], rows: Vec<Vec<String>>) -> Self {
+        let head = head.iter().map(|&name| name.to_owned()).collect();
+        Self::Table { head, rows }
+    }
+
     fn write(&self, out: &mut String) -> Result<()> {
         // Writing to a string cannot fail.
         let _ = match self {
@@ -111,6 +122,7 @@ impl Part {
                     sheet.to_svg()?
                 )
             }
+            Self::Break => writeln!(out, "<hr>"),
             Self::Body(data) => {
                 let data = clean::json(data);
                 writeln!(

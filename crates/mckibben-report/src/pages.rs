@@ -33,8 +33,8 @@ const ROW_MM: f64 = LEADING * TEXT_MM;
 const GUTTER_MM: f64 = 4.0;
 /// Largest height of a figure.
 const FIGURE_MM: f64 = 115.0;
-/// Room for a heading and the drawing below it.
-const WITH_DRAWING_MM: f64 = 85.0;
+/// Room for a heading above a drawing.
+const HEAD_MM: f64 = 16.0;
 /// Side of a box to tick.
 const BOX_MM: f64 = 3.2;
 
@@ -65,9 +65,8 @@ impl Document {
         }
         pages.text(&self.lead, LEFT_MM, TEXT_MM);
         for (i, part) in self.parts.iter().enumerate() {
-            let is_before_drawing = matches!(self.parts.get(i + 1), Some(Part::Drawing(_)));
-            if is_before_drawing && matches!(part, Part::Heading(_)) {
-                pages.room(WITH_DRAWING_MM);
+            if let (Part::Heading(_), Some(Part::Drawing(sheet))) = (part, self.parts.get(i + 1)) {
+                pages.room(sheet.drawing()?.height / PER_MM + HEAD_MM);
             }
             pages.part(part)?;
         }
@@ -139,6 +138,7 @@ impl Pages<'_> {
             Part::Table { head, rows } => self.table(head, rows),
             Part::Figure(figure) => self.picture(&figure.drawing()?),
             Part::Drawing(sheet) => self.picture(sheet.drawing()?),
+            Part::Break => self.room(TOP_MM),
             // What is read on a screen.
             Part::Body(_) => {}
         }
@@ -172,7 +172,7 @@ impl Pages<'_> {
         list.iter().for_each(|text| self.item("  !", text));
         self.y -= 2.5;
         self.sheet
-            .rectangle(Outline, [LEFT_MM, RIGHT_MM], [self.y, top]);
+            .rectangle(Outline, [LEFT_MM, RIGHT_MM + 2.0], [self.y, top]);
         self.y -= 1.0;
     }
 

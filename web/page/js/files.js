@@ -115,7 +115,7 @@ const report = () =>
 const workshop = () =>
   card(
     "Workshop",
-    "build sheet, drawing and test record (PDF), plugs (STEP, STL), bill of materials, muscle file",
+    "order, cut list, drawings, steps and record (HTML), plugs (STEP, STL), test sheet, muscle file",
     [],
     ["Make the build sheet", "build"],
     () => ({ ...atPressure(), units: units() }),

@@ -4,6 +4,7 @@ use mckibben_build::{
     Ends,
     ends::{Clamped, Ferrule, Press, bolted_n},
     energy_j,
+    frame::{Bar, Frame, rod_mm},
     mould::{CASTABLE, castable, sinks_min},
 };
 use mckibben_core::{
@@ -167,4 +168,34 @@ fn by_hand_a_ferrule_is_as_long_as_the_proof_asks() {
             assert!(ferrule.outer_mm - 2.0 * ferrule.wall_mm >= diameter_mm + 0.3);
         }
     }
+}
+
+/// By hand, at 1000 N: a bar of 10 × 4 mm with a hole of 4.5 mm, its rods 50 mm beside the muscle, has M =
+/// 12 500 N mm on 4 (10³ − 4.5³)/60 = 60.59 mm³; a bridge of 20 × 3 mm with a hole of 9 mm, 28 mm long on
+/// bars of 4 mm, 3000 N mm on 11 · 9/6 = 16.5 mm³. A rod M6 of 250 mm buckles at π³ 210 000 · 4.71⁴/(64 ·
+/// 250²) = 801 N, M8 at 2532 N: 500 N, three times, ask for M8.
+#[test]
+fn by_hand_the_frame_bears_the_proof() {
+    let bar = Bar {
+        width_mm: 10.0,
+        thick_mm: 4.0,
+        reach_mm: 50.0,
+    };
+    let frame = Frame {
+        bar,
+        bar_length_mm: 130.0,
+        bridge_mm: [28.0, 20.0, 3.0],
+        rod_mm: 8.0,
+        rod_length_mm: 290.0,
+    };
+    for (stress, mpa) in [
+        (bar.stress(4.0, 1000.0), 206.30),
+        (frame.stress(1000.0), 181.82),
+    ] {
+        assert!((stress.mpa - mpa).abs() < 0.01, "{stress:?}");
+        assert_eq!(stress.yields_mpa, 235.0);
+    }
+    assert_eq!([500.0, 260.0].map(|n| rod_mm(n, 250.0)), [8.0, 6.0]);
+    // A short one yields: 640/1.1 MPa on 4.71 mm are 10 137 N.
+    assert_eq!([10_100.0, 10_200.0].map(|n| rod_mm(n, 10.0)), [6.0, 8.0]);
 }

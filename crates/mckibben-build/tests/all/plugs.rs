@@ -1,7 +1,7 @@
 //! The plugs as surfaces of triangles.
 
 use crate::files::plan_of;
-use mckibben_build::{Content, Mesh, Plug, Wishes, files};
+use mckibben_build::{Content, Mesh, Plug, Wishes, files, frame::Frame};
 use std::{
     collections::HashMap,
     f64::consts::{PI, TAU},
@@ -157,8 +157,8 @@ fn the_stl_has_all_triangles() {
     let plan = plan_of(9.525, 1.5875, &Wishes::default());
     let all = files(&plan).unwrap();
     for (name, plug) in [
-        ("air-plug.stl", &plan.air_plug),
-        ("eye-plug.stl", &plan.eye_plug),
+        ("bodies/air-plug.stl", &plan.air_plug),
+        ("bodies/eye-plug.stl", &plan.eye_plug),
     ] {
         let file = all.iter().find(|f| f.name == name).unwrap();
         let Content::Bytes(stl) = &file.content else {
@@ -264,7 +264,28 @@ fn every_bolt_that_is_chosen_bears_and_is_sold() {
                     );
                 }
             }
-            for bolt in plan.parts.iter().filter(|part| part.number == 7) {
+            // The bars have room between collar and bolt, and the rods between the bars.
+            let frame = Frame::new(&plan);
+            let load_n = plan.loads.proof_end_load_high_n;
+            for stress in [
+                frame.stress(load_n),
+                frame.bar.stress(plan.air_plug.bolt.mm, load_n),
+            ] {
+                assert!(
+                    stress.yields_mpa >= 1.1 * stress.mpa,
+                    "{outer_mm}: {stress:?}"
+                );
+            }
+            for plug in [&plan.air_plug, &plan.eye_plug] {
+                let room = plug.eye_mm - plug.foot_mm - 0.5 * frame.bar.width_mm;
+                assert!(room >= 1.0 - 1e-9, "{outer_mm}: {room}");
+                assert!(frame.rod_mm <= plug.side_mm, "{outer_mm}: {frame:?}");
+            }
+            for bolt in plan
+                .parts
+                .iter()
+                .filter(|part| part.part == "bolt with nut")
+            {
                 let numbers: Vec<f64> = bolt
                     .size
                     .split([' ', 'M', ','])

@@ -40,7 +40,7 @@ impl Build {
         check_ending(target, &["html", "htm", "pdf"])?;
         let is_pdf = target.and_then(ending).is_some_and(|end| end == "pdf");
         check_ending(self.plot.as_deref(), &["svg"])?;
-        self.request.report = folder.is_some() || target.is_some();
+        self.request.report = target.is_some();
         self.request.units = context.units.clone();
         let mut answer = build(&self.request, &Bar::new("parts"))?;
         if let Some(document) = answer.document.take() {
@@ -79,8 +79,8 @@ impl Build {
             }
             if folder.is_none() && target.is_none() {
                 page.paragraph(
-                    "-o DIR writes report, drawing, plugs, steps and test sheet into a folder; \
-                     --report FILE.html the report alone.",
+                    "-o DIR writes build.pdf, bodies and test sheet into a folder; --report FILE.html \
+                     the report.",
                 );
             }
         };

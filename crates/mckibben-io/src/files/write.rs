@@ -46,6 +46,13 @@ pub fn put_all<N: AsRef<Path>, B: AsRef<[u8]>>(
     }
     for (name, bytes) in files {
         let path = folder.join(name);
+        if let Some(inner) = path.parent().filter(|inner| *inner != folder) {
+            let made = std::fs::create_dir_all(inner);
+            if inner.is_symlink() {
+                return Err((path, exists()));
+            }
+            made.map_err(|e| (inner.into(), e))?;
+        }
         match Unfinished::inside(&path, overwrite)
             .and_then(|file| file.with_content(bytes.as_ref()))
         {

@@ -1,24 +1,30 @@
-//! The build sheet: tools, cut list, steps to tick, as-built values.
+//! The paper of a build, in the order of work: what to heed, what to order, cut list, plugs, steps to
+//! tick, and the record to sign.
 
 use crate::{
-    Plan, SleeveLength,
+    BuildPart, Plan, SleeveLength,
     cut::TRIM_MM,
+    drawing,
     ends::{BOLT_MM, BOLT_NM, FERRULE_ROOM_MM, Press},
-    material::{consumables, density_kg_per_m3},
+    frame::Frame,
+    material::density_kg_per_m3,
     mould::{self, Mould},
-    plug::{Stress, rod_mm},
-    sketch,
+    plug::Stress,
+    sheets,
     text::{mm, percent, significant},
 };
-use mckibben_core::analysis::STRETCH;
-use mckibben_core::muscle::EndsMade::{Clamped, Crimped, Tied};
+use mckibben_core::{
+    analysis::STRETCH,
+    muscle::EndsMade::{Clamped, Crimped, Tied},
+    units::rounded,
+};
 use mckibben_report::{
     Document,
-    Part::{self, Drawing, Heading, List, Steps, Stop, Table, Text},
+    Part::{self, Break, Drawing, List, Steps, Stop, Text},
 };
 
 /// How exact the distance of the heads is, in mm: what a ruler reads.
-pub const FACES_MM: f64 = 0.5;
+const FACES_MM: f64 = 0.5;
 
 impl Plan {
     /// The title of all papers.
@@ -29,42 +35,46 @@ impl Plan {
             self.shown.length(self.muscle.length_mm())
         )
     }
-}
 
-fn heading(text: &str) -> Part {
-    Heading(text.into())
-}
-
-/// A table with a head.
-pub fn grid(head: &[&str], rows: Vec<Vec<String>>) -> Part {
-    Table {
-        head: head.iter().map(|&name| name.to_owned()).collect(),
-        rows,
+    /// The highest pressure in MPa that a relief valve may let through.
+    pub(crate) fn highest_mpa(&self) -> f64 {
+        rounded(self.operating.in_use.pressure_mpa, 3, f64::floor)
     }
 }
 
-/// The sheet.
 pub fn document(plan: &Plan) -> Document {
-    let mut parts = vec![Stop(plan.stops()), heading("Tools and consumables")];
-    parts.push(List(tools(plan)));
-    parts.push(heading("Cut list"));
+    let heading = Part::heading;
+    let mut parts = vec![Stop(plan.stops()), limits(plan), heading("Order")];
+    let part = |p: &BuildPart| {
+        [&p.part, &p.size, &p.amount, &p.spare]
+            .map(String::clone)
+            .to_vec()
+    };
+    let head = ["part", "size", "amount", "spare"];
+    parts.push(Part::table(&head, plan.parts.iter().map(part).collect()));
+    parts.extend([List(tools(plan)), heading("Cut list")]);
     parts.extend(cut_list(plan));
-    parts.extend([heading("Plugs"), Steps(plugs(plan)), strength(plan)]);
+    parts.push(Drawing(drawing::on_paper(plan)));
+    parts.push(heading("Plugs"));
+    for (what, plug) in [("Air plug", &plan.air_plug), ("Eye plug", &plan.eye_plug)] {
+        parts.extend(sheets::plug(plan, what, plug));
+    }
+    parts.extend([strength(plan), Steps(plugs(plan))]);
     if plan.is_cast() {
         parts.extend([heading("Casting the tube"), Steps(casting(plan))]);
     }
     parts.extend([
         heading("Assembly"),
-        Drawing(sketch::end(plan)),
         Steps(assembly(plan)),
         heading("Proof and leak test"),
-        Drawing(sketch::frame(plan)),
+        Drawing(Frame::new(plan).drawing(plan)),
         Steps(tests(plan)),
-        heading("As built"),
-        as_built(plan),
+        Break,
+        heading("Record"),
+        record(plan),
     ]);
     Document {
-        title: format!("Build sheet: {}", plan.title()),
+        title: plan.title(),
         title_block: plan.title_block.clone(),
         lead: plan.verdict().join(" "),
         parts,
@@ -72,6 +82,39 @@ pub fn document(plan: &Plan) -> Document {
                  bom.csv and in the documentation."
             .into(),
     }
+}
+
+fn limits(plan: &Plan) -> Part {
+    let (shown, limits) = (&plan.shown, &plan.operating.limits);
+    let unknown = || "not known".to_owned();
+    let burst = limits.burst_pressure_mpa.zip(limits.burst_by);
+    let burst = burst.map(|(mpa, by)| {
+        let nominal = limits.nominal_burst_pressure_mpa;
+        let nominal =
+            nominal.map(|p| format!(" at least, {} by nominal numbers", shown.short_pressure(p)));
+        format!(
+            "{}{}: {by}",
+            shown.pressure(mpa),
+            nominal.unwrap_or_default()
+        )
+    });
+    let allowed = limits.allowed_pressure_mpa.map(|mpa| shown.pressure(mpa));
+    let rows = [
+        (
+            "working pressure",
+            shown.pressure(plan.operating.pressure_mpa),
+        ),
+        ("relief valve", shown.pressure(plan.highest_mpa())),
+        ("allowed pressure", allowed.unwrap_or_else(unknown)),
+        (
+            "burst pressure, without the ends",
+            burst.unwrap_or_else(unknown),
+        ),
+    ];
+    Part::table(
+        &[],
+        rows.map(|(name, text)| vec![name.to_owned(), text]).into(),
+    )
 }
 
 fn tools(plan: &Plan) -> Vec<String> {
@@ -91,12 +134,8 @@ fn tools(plan: &Plan) -> Vec<String> {
         let (thread, hole) = (port.fitting, mm(port.hole_mm));
         format!("tap {thread}, drill {hole} mm")
     });
-    let rule = "calliper, steel rule, scissors, marker, load cell or spring scale".to_owned();
-    let used = consumables(plan);
-    let used = used
-        .iter()
-        .map(|[what, amount, about]| format!("{what} ({amount}): {about}"));
-    [rule, clamp].into_iter().chain(drill).chain(used).collect()
+    let rule = "calliper, steel rule, scissors, marker".to_owned();
+    [rule, clamp].into_iter().chain(drill).collect()
 }
 
 fn cut_list(plan: &Plan) -> [Part; 3] {
@@ -127,13 +166,11 @@ fn cut_list(plan: &Plan) -> [Part; 3] {
             "tube".into(),
             shown.length(cut.tube_mm),
             format!("{free}{stretched} and {plugged} on each plug"),
-            String::new(),
         ],
         vec![
             "sleeve".into(),
             of,
             format!("{at}; {trim} are trimmed before the second end is closed"),
-            String::new(),
         ],
     ];
     let cell = |f: &dyn Fn(&SleeveLength) -> String| sleeve.by_diameter.iter().map(f).collect();
@@ -145,16 +182,13 @@ fn cut_list(plan: &Plan) -> [Part; 3] {
         format!(" It has {n} strands{}.", plan.estimate())
     });
     [
-        grid(&["part", "length", "", "cut"], rows),
+        Part::table(&["part", "length", ""], rows),
         Text(format!(
             "The strands of the sleeve keep their length, {strand} each, so that a wide sleeve is \
              short and a narrow one is long.{strands} Measure its diameter where you cut it, and \
              take the length from this table ({unit}):"
         )),
-        Table {
-            head: vec![],
-            rows: vec![wide, long],
-        },
+        Part::table(&[], vec![wide, long]),
     ]
 }
 
@@ -163,7 +197,7 @@ fn plugs(plan: &Plan) -> Vec<String> {
     let stem = shown.toleranced(plug.stem.diameter_mm, plug.tolerance_mm());
     let mut steps = if plug.is_printed() {
         vec![
-            "Print air-plug.stl and eye-plug.stl as they lie in the file, on the end of their heads: \
+            "Print both STL files of plugs as they lie in the file, on the end of their heads: \
              PETG, layers of 0.2 mm, six walls, 100 % infill, seam on a corner of the head, no \
              support."
                 .to_owned(),
@@ -175,11 +209,8 @@ fn plugs(plan: &Plan) -> Vec<String> {
         ]
     } else {
         vec![format!(
-            "Have both plugs turned and drilled by their sheets and STEP files: the air plug from {}, \
-             the eye plug from {}, or the next larger ones; printed ones would break. Check the \
-             stems: {stem}, no burr.",
-            plug.stock(),
-            plan.eye_plug.stock()
+            "Have both plugs turned and milled by their sheets and STEP files; printed ones would break. \
+             Check the stems: {stem}, no burr."
         )]
     };
     steps.extend(plug.port.map(|port| {
@@ -198,13 +229,15 @@ fn plugs(plan: &Plan) -> Vec<String> {
 
 /// How far the loaded parts of the air plug stay below their yield in the proof test.
 fn strength(plan: &Plan) -> Part {
-    let stresses = plan.air_plug.stresses(plan.loads.proof_end_load_high_n);
+    let load_n = plan.loads.proof_end_load_high_n;
+    let mut stresses = plan.air_plug.stresses(load_n);
+    stresses.push(Frame::new(plan).stress(load_n));
     let row = |s: &Stress| {
         let factor = significant(s.yields_mpa / s.mpa, 2);
         vec![s.what.into(), factor, mm(s.factor)]
     };
     let head = ["in the proof test", "yield over stress", "at least"];
-    grid(&head, stresses.iter().map(row).collect())
+    Part::table(&head, stresses.iter().map(row).collect())
 }
 
 fn casting(plan: &Plan) -> Vec<String> {
@@ -242,7 +275,7 @@ fn casting(plan: &Plan) -> Vec<String> {
     vec![
         format!(
             "Mould: a smooth rod of {} mm, {} mm long, in a pipe with a bore of {} mm, {} mm long; \
-             print mould-cap.stl twice. Drill a hole of 4 mm into the pipe {} mm above its lower \
+             print bodies/mould-cap.stl twice. Drill a hole of 4 mm into the pipe {} mm above its lower \
              end, for the syringe, and two vents of 2 mm, one opposite the other, {} mm above it.",
             mm(mould.rod_mm),
             mm(mould.rod_length_mm),
@@ -344,7 +377,7 @@ fn closing(plan: &Plan) -> String {
 }
 
 fn assembly(plan: &Plan) -> Vec<String> {
-    let (shown, ends, muscle) = (&plan.shown, &plan.ends, &plan.muscle);
+    let (shown, ends) = (&plan.shown, &plan.ends);
     let fray = if plan.is_aramid() {
         "aramid does not melt: wrap tape around it first, and cut through the tape"
     } else {
@@ -386,7 +419,7 @@ fn assembly(plan: &Plan) -> Vec<String> {
              longer, push the sleeve together.",
             shown.length(plan.faces_mm(0.0)),
             shown.tolerance(FACES_MM),
-            mm((10.0 * muscle.braid().angle_deg).round() / 10.0),
+            angle(plan),
             turn.0,
             shown.length(turn.1.round())
         ),
@@ -405,22 +438,31 @@ fn tests(plan: &Plan) -> Vec<String> {
         "Fill it with water by a syringe on the fitting, held upwards: draw the air out, let water \
          in, and repeat until no bubble comes."
     };
+    let frame = Frame::new(plan);
+    let [long, wide, thick] = frame.bridge_mm;
     let mut steps = vec![
         fill.to_owned(),
         format!(
-            "Bolt it into a frame that holds its length ({} between the heads), with nuts on two rods \
-             M{} of class 8.8 and cheeks as thick as the bolts, M{}. With a free length an end would \
-             carry the pressure on its bore only. Safety glasses, a screen, nobody in line with the \
-             muscle.",
+            "Bolt it into the frame, which holds its length ({} between the heads): the bolt of each end \
+             lies in a pair of bars {} × {}, {} long (S235JR), with holes {}. The nuts of both rods M{}, \
+             of class 8.8 and {} long, lie on bridges {} × {}, {} long, and press the pairs apart. With a \
+             free length an end would carry the pressure on its bore only. Safety glasses, a screen, \
+             nobody in line with the muscle.",
             shown.length(plan.faces_mm(0.0)),
-            mm(rod_mm(2.0 * plan.loads.proof_end_load_high_n)),
-            mm(plan.air_plug.bolt.mm)
+            mm(frame.bar.width_mm),
+            mm(frame.bar.thick_mm),
+            shown.length(frame.bar_length_mm),
+            mm(plan.air_plug.hole_mm),
+            mm(frame.rod_mm),
+            shown.length(frame.rod_length_mm),
+            mm(wide),
+            mm(thick),
+            shown.length(long)
         ),
         format!(
             "Raise the pressure with a hand pump in four steps to {proof}. Then stretch the muscle by the \
-             nuts to {} between the heads, and hold both for one minute: {}.",
-            shown.length(plan.faces_mm(-STRETCH)),
-            plan.ends_carry()
+             nuts to {} between the heads, and hold both for one minute.",
+            shown.length(plan.faces_mm(-STRETCH))
         ),
         "It passes if the pressure stays, no mark on the sleeve moves, and the tube does not bulge \
          through the mesh. If a mark moves, let the pressure off: the end does not hold."
@@ -458,31 +500,56 @@ fn tests(plan: &Plan) -> Vec<String> {
     steps
 }
 
-fn as_built(plan: &Plan) -> Part {
-    let shown = &plan.shown;
-    let row = |name: &str, should: String| vec![name.to_owned(), should, String::new()];
+fn record(plan: &Plan) -> Part {
+    let (shown, safety) = (&plan.shown, &plan.safety);
     let plug = &plan.air_plug;
-    let stem = shown.toleranced(plug.stem.diameter_mm, plug.tolerance_mm());
-    let angle = mm((10.0 * plan.muscle.braid().angle_deg).round() / 10.0);
-    let faces = shown.length(plan.faces_mm(0.0));
+    let [proof, leak] =
+        [safety.proof_pressure_mpa, safety.leak_pressure_mpa].map(|p| shown.pressure(p));
+    let [held, stretched] = [0.0, -STRETCH].map(|e| shown.length(plan.faces_mm(e)));
     let (turn, turn_mm) = turn(plan);
-    let rows = vec![
-        row("stems", stem),
-        row(
+    let lost = if plan.liquid {
+        "no spot"
+    } else {
+        "5 % of the pressure at most"
+    };
+    let none = String::new;
+    let rows = [
+        ("serial number", none()),
+        (
+            "stems",
+            shown.toleranced(plug.stem.diameter_mm, plug.tolerance_mm()),
+        ),
+        (
             "between the heads, at rest",
-            format!("{faces} ± {}", shown.tolerance(FACES_MM)),
+            format!("{held} ± {}", shown.tolerance(FACES_MM)),
         ),
-        row("angle of the strands", format!("{angle}° ± 1°")),
-        row(
-            &format!("{turn} of a strand"),
-            shown.length(turn_mm.round()),
+        ("angle of the strands", format!("{}° ± 1°", angle(plan))),
+        (
+            turn,
+            format!(
+                "{} of a strand along the tube",
+                shown.length(turn_mm.round())
+            ),
         ),
-        row(
+        ("strands counted", none()),
+        (
             "mass",
             format!("{} g (known parts)", significant(plan.mass_g(), 3)),
         ),
-        row("strands counted", String::new()),
-        row("built by, date", String::new()),
+        ("built by, date", none()),
+        ("proof: length held", held),
+        ("pressure, with water", proof),
+        ("then stretched, one minute", stretched),
+        ("load of an end", plan.proof_load()),
+        ("marks moved", "0 mm".into()),
+        ("leak test", format!("{leak}, {}", plan.medium())),
+        ("lost in five minutes", lost.into()),
+        ("passed: tested by, date", none()),
     ];
-    grid(&["measure", "should be", "is"], rows)
+    let row = |(name, text): (&str, String)| vec![name.to_owned(), text, none()];
+    Part::table(&["", "required", "measured"], rows.map(row).into())
+}
+
+fn angle(plan: &Plan) -> String {
+    mm((10.0 * plan.muscle.braid().angle_deg).round() / 10.0)
 }
