@@ -7716,8 +7716,8 @@ class MuscleNumbers:
     """Numbers that a muscle is asked for."""
 
     @overload
-    def force(  # type: ignore[overload-overlap]
-        self,
+    def force(
+        self: Any,
         pressure_mpa: Number,
         contraction: Number = 0.0,
         *,
@@ -7726,7 +7726,7 @@ class MuscleNumbers:
     ) -> float: ...
     @overload
     def force(
-        self,
+        self: Any,
         pressure_mpa: Floats,
         contraction: Floats = 0.0,
         *,
@@ -7735,7 +7735,7 @@ class MuscleNumbers:
     ) -> NDArray[np.float64]: ...
     @overload
     def force(
-        self,
+        self: Any,
         pressure_mpa: Floats,
         contraction: Floats = 0.0,
         *,
@@ -7798,8 +7798,8 @@ class MuscleNumbers:
         return self._asked("force", pressure_mpa, contraction, jac, options)
 
     @overload
-    def pressure(  # type: ignore[overload-overlap]
-        self,
+    def pressure(
+        self: Any,
         force_n: Number,
         contraction: Number = 0.0,
         *,
@@ -7808,7 +7808,7 @@ class MuscleNumbers:
     ) -> float: ...
     @overload
     def pressure(
-        self,
+        self: Any,
         force_n: Floats,
         contraction: Floats = 0.0,
         *,
@@ -7817,7 +7817,7 @@ class MuscleNumbers:
     ) -> NDArray[np.float64]: ...
     @overload
     def pressure(
-        self,
+        self: Any,
         force_n: Floats,
         contraction: Floats = 0.0,
         *,
@@ -7880,8 +7880,8 @@ class MuscleNumbers:
         return self._asked("pressure", force_n, contraction, jac, options)
 
     @overload
-    def contraction(  # type: ignore[overload-overlap]
-        self,
+    def contraction(
+        self: Any,
         force_n: Number,
         pressure_mpa: Number,
         *,
@@ -7890,7 +7890,7 @@ class MuscleNumbers:
     ) -> float: ...
     @overload
     def contraction(
-        self,
+        self: Any,
         force_n: Floats,
         pressure_mpa: Floats,
         *,
@@ -7899,7 +7899,7 @@ class MuscleNumbers:
     ) -> NDArray[np.float64]: ...
     @overload
     def contraction(
-        self,
+        self: Any,
         force_n: Floats,
         pressure_mpa: Floats,
         *,
@@ -7983,7 +7983,7 @@ class MuscleCommands:
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> Curve:
         """A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P; isobaric: P fixed, F over ε.
 
@@ -8064,7 +8064,7 @@ class MuscleCommands:
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> SimulateAnswer:
         """A finite-element test.
 
@@ -8342,7 +8342,7 @@ class MuscleCommands:
         branch: Literal["mean", "contraction", "elongation"] | None = None,
         extrapolate: bool = False,
         two_sided: bool = False,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> CompareAnswer:
         """Models compared with measured points, or with the first model.
 
@@ -8416,7 +8416,7 @@ class MuscleCommands:
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> StudyAnswer:
         """The thickness study with a rubber, a braid and a model.
 
@@ -8483,7 +8483,7 @@ class MuscleCommands:
         number: str | None = None,
         revision: str | None = None,
         date: str | None = None,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> Build:
         """A muscle to be built.
 
@@ -8557,7 +8557,7 @@ class MuscleCommands:
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> Export:
         """A muscle for a controller or a simulator: pull and volume in closed form, fitted to a model, as files for a target.
 
@@ -8632,7 +8632,7 @@ class JointCommands:
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> JointSolution:
         """A joint. Pressures and angles give its torques; pressures alone give its rest position; angles alone give the pressures for a torque and a stiffness.
 
@@ -8704,7 +8704,7 @@ class JointCommands:
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> JointExport:
         """A joint for a controller or a simulator: torque, stiffness and pressures from the closed forms of its muscles, as files for a target.
 
@@ -8768,7 +8768,7 @@ class DriveCommands:
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> Motion:
         """A drive: its file, and the files that it names.
 
@@ -8833,7 +8833,7 @@ class CampaignCommands:
         shard: str | None = None,
         threads: int | None = None,
         overwrite: bool = False,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> CampaignOutcome:
         """A plan, and where its table goes.
 
@@ -8955,7 +8955,7 @@ def design(
     mesh: str | None = None,
     match: Literal["length", "angle"] | None = None,
     terminal: Mapping[str, Plain] | None = None,
-    progress: Progress = None,
+    progress: Progress | None = None,
 ) -> Design:
     """A specification: required pulls at contractions with a maximum pressure. All other fields have a default.
 
@@ -9124,7 +9124,7 @@ def identify(
     mesh: str | None = None,
     match: Literal["length", "angle"] | None = None,
     terminal: Mapping[str, Plain] | None = None,
-    progress: Progress = None,
+    progress: Progress | None = None,
     **measures: Unpack[Measures],
 ) -> Identification:
     """Points, and the parameters of a muscle to identify from them.
@@ -9232,7 +9232,7 @@ def fit_rubber(
     weights: Mapping[str, Number] | None = None,
     stable: bool = False,
     hoop_stretch: Number | None = None,
-    progress: Progress = None,
+    progress: Progress | None = None,
 ) -> RubberFit:
     """Tension tests, and the laws to fit.
 
@@ -9312,7 +9312,7 @@ def fit(
     muscle: MuscleLike | None = None,
     terms: FileLike | None = None,
     figures: bool = False,
-    progress: Progress = None,
+    progress: Progress | None = None,
 ) -> Fit:
     """A table of points, and how the formula is made.
 
