@@ -17,6 +17,7 @@ import subprocess
 import sys
 import textwrap
 from collections.abc import Iterable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -117,8 +118,8 @@ ROWS = {
 }
 # Types of columns, by those of a row's field, or of a list by its name.
 COLUMNS = {
-    **dict.fromkeys(("float", "float | None"), "NDArray[np.float64]"),
-    **dict.fromkeys(("list[float]", "list[float] | None"), "NDArray[np.float64]"),
+    "float": "NDArray[np.float64]",
+    "list[float]": "NDArray[np.float64]",
     "str": "list[str]",
 }
 # Types of what may be given, by the names of fields.
@@ -130,6 +131,7 @@ GIVEN = {
     "log": "TableLike",
     "table": "TableLike",
     "campaign": "FileLike",
+    "progress": "Progress",
     **dict.fromkeys(("data", "load_tables"), "TableLike | Sequence[TableLike]"),
     "stiffness": "Number",
 }
@@ -165,101 +167,102 @@ if TYPE_CHECKING:
 '''
 
 
-class Bundle:
+@cache
+def schemas() -> dict[str, Any]:
     """The schemas of all commands."""
+    tool = os.environ.get("MCKIBBEN") or str(ROOT / "target/debug/mckibben")
+    held: dict[str, Any] = json.loads(said(tool, "schema"))
+    return held
 
-    def __init__(self, held: dict[str, Any]) -> None:
-        self.held, self.defs = held, held["$defs"]
 
-    def defined(self, schema: Schema) -> Schema:
-        """A schema, or the definition to which it refers."""
-        name = reference(schema)
-        return schema if name is None else self.defs[name]
+def defined(schema: Schema) -> Schema:
+    """A schema, or the definition to which it refers."""
+    name = reference(schema)
+    return schema if name is None else schemas()["$defs"][name]
 
-    def properties(self, schema: Schema) -> dict[str, Schema]:
-        """All fields of an object, those of its variants among them."""
-        schema = self.defined(schema)
-        out = dict(schema.get("properties", {}))
-        for option in [*options(schema), *schema.get("allOf", [])]:
-            for name, field in self.properties(option).items():
-                out.setdefault(name, field)
-        return out
 
-    def required(self, schema: Schema) -> set[str]:
-        """The fields that an object always has."""
-        schema = self.defined(schema)
-        of_options = [self.required(option) for option in options(schema)]
-        return set(schema.get("required", [])).union(
-            set.intersection(*of_options) if of_options else ()
-        )
+def properties(schema: Schema) -> dict[str, Schema]:
+    """All fields of an object, those of its variants among them."""
+    schema = defined(schema)
+    out = dict(schema.get("properties", {}))
+    for option in [*options(schema), *schema.get("allOf", [])]:
+        for name, field in properties(option).items():
+            out.setdefault(name, field)
+    return out
 
-    def request(self, command: str) -> dict[str, Schema]:
-        """The arguments of a command: the fields of its request, those of its model one by one."""
-        fields = self.properties(self.held[command]["request"])
-        # One word for the branch of the hysteresis.
-        fields.pop("both", None)
-        named = {"direction": "branch", "branches": "branch"}
-        fields = {named.get(n, n): field for n, field in fields.items()}
-        if command == "curve":
-            either = [*options(fields["branch"]), {"enum": ["both"]}]
-            fields["branch"] = {**fields["branch"], "anyOf": either}
-        if reference(fields.get("model")) == "ModelFields":
-            made = self.properties(fields["model"])
-            fields |= {"model": made.pop("name"), **made}
-        return fields
 
-    def is_record(self, schema: Schema) -> bool:
-        return bool(self.properties(schema))
+def required(schema: Schema) -> set[str]:
+    """The fields that an object always has."""
+    schema = defined(schema)
+    of_options = [required(option) for option in options(schema)]
+    return set(schema.get("required", [])).union(
+        set.intersection(*of_options) if of_options else ()
+    )
 
-    def type_of(self, schema: Schema, is_answer: bool) -> str:
-        """The type of a schema in the words of Python."""
-        if not isinstance(schema, dict) or not schema:
-            return "Any"
-        if name := reference(schema):
-            known = {
-                "TextFile": "FileLike",
-                "NameOrFile": "FormulaLike",
-                "Choice": "Choice",
-                "Choice2": "Choice",
-            }.get(name)
-            if not is_answer and known:
-                return known
-            target = self.defined(schema)
-            if self.is_record(schema):
-                return NAMES.get(name, name) if is_answer else "Mapping[str, Plain]"
-            return self.type_of(target, is_answer)
-        if choice := words(schema):
-            return f"Literal[{', '.join(map(json.dumps, choice))}]"
-        if alternatives := options(schema):
-            return union([self.type_of(option, is_answer) for option in alternatives])
-        many, table, number = (
-            ("list", "dict", "float")
-            if is_answer
-            else ("Sequence", "Mapping", "Number")
-        )
-        kind = schema.get("type")
-        if isinstance(kind, list):
-            return union(
-                [self.type_of({**schema, "type": one}, is_answer) for one in kind]
-            )
-        if kind == "array" and "prefixItems" in schema:
-            return f"tuple[{', '.join(self.type_of(item, is_answer) for item in schema['prefixItems'])}]"
-        if kind == "array":
-            return f"{many}[{self.type_of(schema.get('items'), is_answer)}]"
-        if kind == "object":
-            return f"{table}[str, {self.type_of(schema.get('additionalProperties'), is_answer)}]"
-        return {
-            "string": "str",
-            "number": number,
-            "integer": "int",
-            "boolean": "bool",
-            "null": "None",
-        }.get(str(kind), "Any")
 
-    def muscle(self) -> dict[str, Schema]:
-        """The fields of a muscle by which it is made and changed."""
-        fields = self.properties({"$ref": "#/$defs/MuscleFields"})
-        return {n: f for n, f in fields.items() if n not in ("file", "tube", "with")}
+def request(command: str) -> dict[str, Schema]:
+    """The arguments of a command: the fields of its request, those of its model one by one."""
+    fields = properties(schemas()[command]["request"])
+    # One word for the branch of the hysteresis.
+    fields.pop("both", None)
+    named = {"direction": "branch", "branches": "branch"}
+    fields = {named.get(n, n): field for n, field in fields.items()}
+    if command == "curve":
+        either = [*options(fields["branch"]), {"enum": ["both"]}]
+        fields["branch"] = {**fields["branch"], "anyOf": either}
+    if reference(fields.get("model")) == "ModelFields":
+        made = properties(fields["model"])
+        fields |= {"model": made.pop("name"), **made}
+    return fields
+
+
+def is_record(schema: Schema) -> bool:
+    return bool(properties(schema))
+
+
+def type_of(schema: Schema, is_answer: bool) -> str:
+    """The type of a schema in the words of Python."""
+    if not isinstance(schema, dict) or not schema:
+        return "Any"
+    if name := reference(schema):
+        known = {
+            "TextFile": "FileLike",
+            "NameOrFile": "FormulaLike",
+            "Choice": "Choice",
+            "Choice2": "Choice",
+        }.get(name)
+        if not is_answer and known:
+            return known
+        if is_record(schema):
+            return NAMES.get(name, name) if is_answer else "Mapping[str, Plain]"
+        return type_of(defined(schema), is_answer)
+    if choice := words(schema):
+        return f"Literal[{', '.join(map(json.dumps, choice))}]"
+    if alternatives := options(schema):
+        return union([type_of(option, is_answer) for option in alternatives])
+    many, table, number = (
+        ("list", "dict", "float") if is_answer else ("Sequence", "Mapping", "Number")
+    )
+    kind = schema.get("type")
+    if kind == "array" and "prefixItems" in schema:
+        return f"tuple[{', '.join(type_of(item, is_answer) for item in schema['prefixItems'])}]"
+    if kind == "array":
+        return f"{many}[{type_of(schema.get('items'), is_answer)}]"
+    if kind == "object":
+        return f"{table}[str, {type_of(schema.get('additionalProperties'), is_answer)}]"
+    return {
+        "string": "str",
+        "number": number,
+        "integer": "int",
+        "boolean": "bool",
+        "null": "None",
+    }.get(str(kind), "Any")
+
+
+def muscle() -> dict[str, Schema]:
+    """The fields of a muscle by which it is made and changed."""
+    fields = properties({"$ref": "#/$defs/MuscleFields"})
+    return {n: f for n, f in fields.items() if n not in ("file", "tube", "with")}
 
 
 def reference(schema: Schema) -> str | None:
@@ -271,15 +274,19 @@ def reference(schema: Schema) -> str | None:
 
 
 def options(schema: Schema) -> list[Schema]:
-    return [*schema.get("anyOf", []), *schema.get("oneOf", [])]
+    """What a schema leaves to choose from."""
+    kinds = schema.get("type")
+    of_kinds = (
+        [{**schema, "type": one} for one in kinds] if isinstance(kinds, list) else []
+    )
+    return [*schema.get("anyOf", []), *schema.get("oneOf", []), *of_kinds]
 
 
 def words(schema: Schema) -> list[str]:
     """The words of a schema that is a choice of words, else none."""
-    if all(isinstance(word, str) for word in schema.get("enum", [None])):
-        return list(schema["enum"])
-    if "const" in schema:
-        return [schema["const"]]
+    choice = schema.get("enum", [schema.get("const")])
+    if all(isinstance(word, str) for word in choice):
+        return list(choice)
     found = [words(option) for option in options(schema)]
     return sum(found, []) if all(found) else []
 
@@ -305,12 +312,12 @@ def named(name: str) -> str:
     return name + "_" if keyword.iskeyword(name) else name
 
 
-def documented(parts: list[str], indent: str) -> str:
-    """A docstring of paragraphs."""
-    text = "\n\n".join(part for part in parts if part)
-    return textwrap.indent(
-        f'"""{text}\n"""' if "\n" in text else f'"""{text}"""', indent
-    )
+def block(head: str, about: list[str], *lines: str) -> str:
+    """A function or class with a docstring of paragraphs."""
+    text = "\n\n".join(filter(None, about))
+    end = "\n" if "\n" in text else ""
+    held = "\n".join([f'"""{text}{end}"""', *lines])
+    return f"{head}:\n{textwrap.indent(held, '    ')}"
 
 
 def wrapped(text: str, indent: str = "") -> str:
@@ -337,13 +344,12 @@ def class_of(
     head: str, about: str, parts: Iterable[str], fields: dict[str, Schema] = {}
 ) -> str:
     """A class with what its fields are."""
-    text = documented([about, section("Attributes", fields)], "    ")
-    return "\n".join([f"class {head}:", text, *parts])
+    return block(f"class {head}", [about, section("Attributes", fields)], *parts)
 
 
-def parameter(bundle: Bundle, name: str, schema: Schema, how: str = "") -> str:
+def parameter(name: str, schema: Schema, how: str = "") -> str:
     """The annotated parameter of a field with its default, but where it must be given."""
-    kind = bundle.type_of(schema, False)
+    kind = type_of(schema, False)
     if name in GIVEN and kind != "bool":
         kind = GIVEN[name]
     kind = kind.replace("Sequence[Number]", "Numbers").removesuffix(" | None")
@@ -356,31 +362,27 @@ def parameter(bundle: Bundle, name: str, schema: Schema, how: str = "") -> str:
     return f"{named(name)}: {kind}{default}"
 
 
-def function(bundle: Bundle, command: str, owner: str) -> str:
-    held, name = bundle.held[command], CALLED.get(command, command)
+def function(command: str, owner: str) -> str:
+    held, name = schemas()[command], CALLED.get(command, command)
     first = dict(re.findall(r"(\w+)(\S*)", COMMANDS[owner][command]))
     title = held["answer"]["title"]
     answer = NAMES.get(title, title)
-    fields = bundle.request(command)
+    fields = request(command)
+    if held["long"] or command == "curve":
+        fields["progress"] = {"description": TEXTS["Progress"]}
     figure, own = fields.pop("figure", None), OWN.get(owner, "").split()
     order = dict.fromkeys([*first, *fields])
     fields = {n: fields[n] for n in order if n not in own}
-    made = {
-        n: parameter(bundle, n, field, first.get(n, "")) for n, field in fields.items()
-    }
+    made = {n: parameter(n, field, first.get(n, "")) for n, field in fields.items()}
     keywords = [made[n] for n in fields if n not in first]
     listed = dict(fields)
-    if held["long"] or command == "curve":
-        keywords.append("progress: Progress = None")
-        listed["progress"] = {"description": TEXTS["Progress"]}
     given = "locals()"
     if reference(fields.get("muscle")) == "MuscleFields":
         keywords.append("**measures: Unpack[Measures]")
         listed["measures"] = {"description": TEXTS["Measures"]}
         given = '{**locals(), "muscle": {"file": muscle, **known(measures, Measures)}, "measures": None}'
-    if reference(bundle.properties(held["request"]).get("model")) == "ModelFields":
+    if reference(properties(held["request"]).get("model")) == "ModelFields":
         given = f'modelled({given}, "{command}")'
-    indent = "    " if owner else ""
     # A curve is drawn when it is wanted.
     drawn = (
         ""
@@ -389,7 +391,7 @@ def function(bundle: Bundle, command: str, owner: str) -> str:
         if figure.get("type") == "boolean"
         else ', "MPa"'
     )
-    example = TEXTS[f"{owner}.{name}".strip(".")].strip()
+    example = TEXTS[f"{owner}.{name}".strip(".")]
     about = [
         wrapped(doc(held["request"])),
         section("Parameters", listed),
@@ -400,19 +402,22 @@ def function(bundle: Bundle, command: str, owner: str) -> str:
     parameters = [*(["self"] if owner else []), *(made[n] for n in first)]
     if keywords:
         parameters += ["*", *keywords]
-    return f'{indent}def {name}({", ".join(parameters)}) -> {answer}:\n{documented(about, indent + "    ")}\n{indent}    return answered({answer}, "{command}", {given}{drawn})'
+    return block(
+        f"def {name}({', '.join(parameters)}) -> {answer}",
+        about,
+        f'return answered({answer}, "{command}", {given}{drawn})',
+    )
 
 
 def asked(name: str) -> str:
     """A number of a muscle, as a method for numbers and arrays, with and without derivatives."""
     _, first, second = ASKED[name]
     about, slopes, example = TEXTS[f"MuscleNumbers.{name}"].split("\n\n", 2)
-    text = TEXTS["MuscleNumbers"].format(**locals()).strip()
+    text = TEXTS["MuscleNumbers"].format(**locals())
 
-    def head(kind: str, jac: str, options: str, answer: str, me: str = "self") -> str:
+    def head(kind: str, jac: str, options: str, answer: str) -> str:
         rest = " = 0.0" if second == "contraction" else ""
-        note = "  # type: ignore[overload-overlap]\n" if answer == "float" else ""
-        return f"    def {name}({note}{me}, {first}: {kind}, {second}: {kind}{rest}, *, jac: {jac}, **options: {options}) -> {answer}:"
+        return f"def {name}(self: Any, {first}: {kind}, {second}: {kind}{rest}, *, jac: {jac}, **options: {options}) -> {answer}"
 
     array, given = "NDArray[np.float64]", "Unpack[Asking]"
     overloads = [
@@ -422,20 +427,23 @@ def asked(name: str) -> str:
     ]
     return "\n".join(
         [
-            *(f"    @overload\n{overload} ..." for overload in overloads),
-            head("Any", "bool | Sequence[str] = False", "Any", "Any", "self: Any"),
-            documented([text], "        "),
-            f'        return self._asked("{name}", {first}, {second}, jac, options)',
+            *(f"@overload\n{overload}: ..." for overload in overloads),
+            block(
+                head("Any", "bool | Sequence[str] = False", "Any", "Any"),
+                [text],
+                f'return self._asked("{name}", {first}, {second}, jac, options)',
+            ),
         ]
     )
 
 
-def columns(bundle: Bundle, table: Schema) -> str:
+def columns(table: Schema) -> str:
     """The columns of a table, for those who check types."""
     by_type: dict[str, list[str]] = {}
-    rows = bundle.defined(table)
-    for name, field in bundle.properties(rows.get("items", rows)).items():
-        kind = re.sub(r"Literal\[.*?\]", "str", bundle.type_of(field, True))
+    rows = defined(table)
+    for name, field in properties(rows.get("items", rows)).items():
+        kind = re.sub(r"Literal\[.*?\]", "str", type_of(field, True))
+        kind = kind.removesuffix(" | None") if "float" in kind else kind
         if kind in COLUMNS:
             by_type.setdefault(COLUMNS[kind], []).append(name)
     heads = [
@@ -443,112 +451,119 @@ def columns(bundle: Bundle, table: Schema) -> str:
         for kind, names in by_type.items()
     ]
     rest = "def __getitem__(self, name: str, /) -> Any: ..."
-    lines = "\n@overload\n".join(["if TYPE_CHECKING:", *heads, rest])
-    return textwrap.indent(lines + "\n" + rest, "        ")[4:]
+    lines = "\n@overload\n".join(["", *heads, rest])
+    return "if TYPE_CHECKING:" + textwrap.indent(f"{lines}\n{rest}", "    ")
 
 
-def fields_class(bundle: Bundle) -> str:
+def fields_class() -> str:
     """What makes a muscle of its fields, and the fields as attributes."""
-    fields = bundle.muscle()
+    fields = muscle()
     always = ("outer_diameter_mm", "wall_mm", "length_mm")
-    made = {n: parameter(bundle, n, field) for n, field in fields.items()}
+    made = {n: parameter(n, field) for n, field in fields.items()}
     made |= {n: made[n].removesuffix(" | None = None") for n in always}
     out = [
-        f'    def __init__({", ".join(["self: Any", "*", *made.values()])}) -> None:\n{documented([section("Parameters", fields), TEXTS["MuscleFields"]], "        ")}\n        self._make({{name: value for name, value in locals().items() if name != "self"}})\n'
+        block(
+            f"def __init__({', '.join(['self: Any', '*', *made.values()])}) -> None",
+            [section("Parameters", fields), TEXTS["MuscleFields"]],
+            'self._make({name: value for name, value in locals().items() if name != "self"})',
+        )
     ]
     for name, field in fields.items():
         if name not in ("rubber", "braid"):
             kind = "float | str" if name == "stiffness" else "float"
             kind = kind if name in (*always, "angle_deg") else f"{kind} | None"
             out.append(
-                f'    @property\n    def {name}(self: Any) -> {kind}:\n{documented([wrapped(doc(field))], "        ")}\n        found: {kind} = self._field("{name}")\n        return found\n'
+                block(
+                    f"@property\ndef {name}(self: Any) -> {kind}",
+                    [wrapped(doc(field))],
+                    f'found: {kind} = self._field("{name}")\nreturn found',
+                )
             )
     about = "What makes a muscle, and its measures; None where it does not have one."
     return class_of("MuscleFields", about, out)
 
 
-def record(bundle: Bundle, name: str, schema: Schema, rows: str | None) -> str:
-    fields, always = bundle.properties(schema), bundle.required(schema)
+def record(name: str, schema: Schema, rows: str | None) -> str:
+    fields, always = properties(schema), required(schema)
     base = f"_record.{BASES[name]}" if name in BASES else "Record"
-    lines = [f"    _rows: ClassVar[str | None] = {json.dumps(rows)}"] if rows else []
+    lines = [f"_rows: ClassVar[str | None] = {json.dumps(rows)}"] if rows else []
     # Those that are always there first, as in any dataclass.
     for field, value in sorted(fields.items(), key=lambda f: f[0] not in always):
-        kind = bundle.type_of(value, True)
+        kind = type_of(value, True)
         optional = field not in always
         if optional and not kind.endswith("None"):
             kind += " | None"
-        lines.append(f"    {named(field)}: {kind}" + (" = None" if optional else ""))
+        lines.append(f"{named(field)}: {kind}" + (" = None" if optional else ""))
     if rows:
-        lines.append(columns(bundle, fields[rows.split()[0]]))
+        lines.append(columns(fields[rows.split()[0]]))
     about = wrapped(doc(schema) or name)
     return class_of(f"{name}({base})", about, lines, fields)
 
 
-def solution(bundle: Bundle) -> str:
+def solution() -> str:
     """What is known of points, each as an array."""
     fields = {
         n: f
-        for n, f in bundle.properties({"$ref": "#/$defs/Answer"}).items()
-        if bundle.type_of(f, True) in ("float", "float | None")
+        for n, f in properties({"$ref": "#/$defs/Answer"}).items()
+        if type_of(f, True) in ("float", "float | None")
     }
     about = (
         "Points of a muscle as arrays of one shape; NaN where a point does not have it."
     )
-    lines = (f"    {n}: NDArray[np.float64]" for n in fields)
+    lines = (f"{n}: NDArray[np.float64]" for n in fields)
     return class_of("Solution(_record.Points)", about, lines, fields)
 
 
-def state(bundle: Bundle) -> str:
+def state() -> str:
     """Where a simulation is."""
-    fields = bundle.properties({"$ref": "#/$defs/MotionSeries"})
+    fields = properties({"$ref": "#/$defs/MotionSeries"})
     about = "Where a simulation is; None what it is not."
     # Of a muscle or of a joint: whoever asks knows which it is, and needs no look at None.
-    lines = (f"    {n}: float" for n in fields)
+    lines = (f"{n}: float" for n in fields)
     return class_of("State(Record)", about, lines, fields)
 
 
-def keywords(bundle: Bundle, name: str, about: str, fields: dict[str, Schema]) -> str:
+def keywords(name: str, about: str, fields: dict[str, Schema]) -> str:
     """Fields as keywords of one type."""
-    made = (parameter(bundle, n, f).split(" = ")[0] for n, f in fields.items())
-    lines = (f"    {one}" for one in made)
-    return class_of(f"{name}(TypedDict, total=False)", about, lines, fields)
+    made = (parameter(n, f).split(" = ")[0] for n, f in fields.items())
+    return class_of(f"{name}(TypedDict, total=False)", about, made, fields)
 
 
-def answers(bundle: Bundle) -> dict[str, tuple[Schema, str | None]]:
+def answers() -> dict[str, tuple[Schema, str | None]]:
     """All records, by name: those of commands, and those to which they refer."""
     asked = [command for names in COMMANDS.values() for command in names]
     out: dict[str, tuple[Schema, str | None]] = {}
 
     def reach(schema: Schema) -> None:
         for name in re.findall(r"#/\$defs/(\w+)", json.dumps(schema)):
-            held, called = bundle.defs[name], NAMES.get(name, name)
-            if called not in out and bundle.is_record(held):
+            held, called = schemas()["$defs"][name], NAMES.get(name, name)
+            if called not in out and is_record(held):
                 out[called] = held, None
                 reach(held)
 
     for command in asked:
-        schema = bundle.held[command]["answer"]
+        schema = schemas()[command]["answer"]
         reach(schema)
         out[NAMES.get(schema["title"], schema["title"])] = schema, ROWS.get(command)
     return dict(sorted(out.items()))
 
 
-def api(bundle: Bundle) -> str:
-    made = answers(bundle)
-    keys = {n: f["x-key"] for n, f in bundle.muscle().items() if "x-key" in f}
+def api() -> str:
+    made = answers()
+    keys = {n: f["x-key"] for n, f in muscle().items() if "x-key" in f}
     parts = [
         HEAD,
         f"__all__ = {json.dumps([*made, 'Solution', 'State'])}\n# Keys of the muscle file, by field.\nKEYS = {json.dumps(keys)}\n# Numbers of a muscle, and of which pair.\nNUMBERS = {ASKED!r}",
     ]
-    parts += [record(bundle, name, *held) for name, held in made.items()]
+    parts += [record(name, *held) for name, held in made.items()]
     own = ("pressure_mpa", "contraction", "muscle")
-    how = {n: f for n, f in bundle.request("force").items() if n not in own}
+    how = {n: f for n, f in request("force").items() if n not in own}
     parts += [
-        keywords(bundle, "Options", "Which model of a muscle answers, and how.", how),
+        keywords("Options", "Which model of a muscle answers, and how.", how),
         'class Asking(Options, total=False):\n    """How a muscle is asked for numbers."""\n    errors: Literal["raise", "nan"]\n    progress: Progress',
-        keywords(bundle, "Measures", TEXTS["Measures"], bundle.muscle()),
+        keywords("Measures", TEXTS["Measures"], muscle()),
     ]
-    parts += [solution(bundle), state(bundle), fields_class(bundle).rstrip()]
+    parts += [solution(), state(), fields_class()]
     parts.append(
         class_of(
             "MuscleNumbers",
@@ -557,7 +572,7 @@ def api(bundle: Bundle) -> str:
         )
     )
     for owner, commands in COMMANDS.items():
-        made_of = [function(bundle, command, owner) for command in commands]
+        made_of = [function(command, owner) for command in commands]
         what = "What the program answers of it, by command."
         parts += [class_of(owner, what, made_of)] if owner else made_of
     formatter = sys.executable, "-m", "ruff", "format", "--isolated", "-"
@@ -592,9 +607,7 @@ def main(what: str, place: str = str(PACKAGE / "_api.py")) -> None:
     if what == "reference":
         Path(place).write_text(reference_page(), "utf-8")
         return
-    tool = os.environ.get("MCKIBBEN") or str(ROOT / "target/debug/mckibben")
-    schema = json.loads(said(tool, "schema"))
-    text, held = api(Bundle(schema)), (PACKAGE / "_api.py").read_text("utf-8")
+    text, held = api(), (PACKAGE / "_api.py").read_text("utf-8")
     if place != "--check":
         Path(place).write_text(text, "utf-8")
     elif text != held:

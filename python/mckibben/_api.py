@@ -7713,8 +7713,8 @@ class MuscleNumbers:
     """Numbers that a muscle is asked for."""
 
     @overload
-    def force(  # type: ignore[overload-overlap]
-        self,
+    def force(
+        self: Any,
         pressure_mpa: Number,
         contraction: Number = 0.0,
         *,
@@ -7723,7 +7723,7 @@ class MuscleNumbers:
     ) -> float: ...
     @overload
     def force(
-        self,
+        self: Any,
         pressure_mpa: Floats,
         contraction: Floats = 0.0,
         *,
@@ -7732,7 +7732,7 @@ class MuscleNumbers:
     ) -> NDArray[np.float64]: ...
     @overload
     def force(
-        self,
+        self: Any,
         pressure_mpa: Floats,
         contraction: Floats = 0.0,
         *,
@@ -7795,8 +7795,8 @@ class MuscleNumbers:
         return self._asked("force", pressure_mpa, contraction, jac, options)
 
     @overload
-    def pressure(  # type: ignore[overload-overlap]
-        self,
+    def pressure(
+        self: Any,
         force_n: Number,
         contraction: Number = 0.0,
         *,
@@ -7805,7 +7805,7 @@ class MuscleNumbers:
     ) -> float: ...
     @overload
     def pressure(
-        self,
+        self: Any,
         force_n: Floats,
         contraction: Floats = 0.0,
         *,
@@ -7814,7 +7814,7 @@ class MuscleNumbers:
     ) -> NDArray[np.float64]: ...
     @overload
     def pressure(
-        self,
+        self: Any,
         force_n: Floats,
         contraction: Floats = 0.0,
         *,
@@ -7877,8 +7877,8 @@ class MuscleNumbers:
         return self._asked("pressure", force_n, contraction, jac, options)
 
     @overload
-    def contraction(  # type: ignore[overload-overlap]
-        self,
+    def contraction(
+        self: Any,
         force_n: Number,
         pressure_mpa: Number,
         *,
@@ -7887,7 +7887,7 @@ class MuscleNumbers:
     ) -> float: ...
     @overload
     def contraction(
-        self,
+        self: Any,
         force_n: Floats,
         pressure_mpa: Floats,
         *,
@@ -7896,7 +7896,7 @@ class MuscleNumbers:
     ) -> NDArray[np.float64]: ...
     @overload
     def contraction(
-        self,
+        self: Any,
         force_n: Floats,
         pressure_mpa: Floats,
         *,
@@ -7980,7 +7980,7 @@ class MuscleCommands:
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> Curve:
         """A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P; isobaric: P fixed, F over ε.
 
@@ -8061,7 +8061,7 @@ class MuscleCommands:
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> SimulateAnswer:
         """A finite-element test.
 
@@ -8339,7 +8339,7 @@ class MuscleCommands:
         branch: Literal["mean", "contraction", "elongation"] | None = None,
         extrapolate: bool = False,
         two_sided: bool = False,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> CompareAnswer:
         """Models compared with measured points, or with the first model.
 
@@ -8413,7 +8413,7 @@ class MuscleCommands:
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> StudyAnswer:
         """The thickness study with a rubber, a braid and a model.
 
@@ -8480,7 +8480,7 @@ class MuscleCommands:
         number: str | None = None,
         revision: str | None = None,
         date: str | None = None,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> Build:
         """A muscle to be built.
 
@@ -8554,7 +8554,7 @@ class MuscleCommands:
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> Export:
         """A muscle for a controller or a simulator: pull and volume in closed form, fitted to a model, as files for a target.
 
@@ -8629,7 +8629,7 @@ class JointCommands:
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> JointSolution:
         """A joint. Pressures and angles give its torques; pressures alone give its rest position; angles alone give the pressures for a torque and a stiffness.
 
@@ -8701,7 +8701,7 @@ class JointCommands:
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> JointExport:
         """A joint for a controller or a simulator: torque, stiffness and pressures from the closed forms of its muscles, as files for a target.
 
@@ -8765,7 +8765,7 @@ class DriveCommands:
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> Motion:
         """A drive: its file, and the files that it names.
 
@@ -8830,7 +8830,7 @@ class CampaignCommands:
         shard: str | None = None,
         threads: int | None = None,
         overwrite: bool = False,
-        progress: Progress = None,
+        progress: Progress | None = None,
     ) -> CampaignOutcome:
         """A plan, and where its table goes.
 
@@ -8952,7 +8952,7 @@ def design(
     mesh: str | None = None,
     match: Literal["length", "angle"] | None = None,
     terminal: Mapping[str, Plain] | None = None,
-    progress: Progress = None,
+    progress: Progress | None = None,
 ) -> Design:
     """A specification: required pulls at contractions with a maximum pressure. All other fields have a default.
 
@@ -9121,7 +9121,7 @@ def identify(
     mesh: str | None = None,
     match: Literal["length", "angle"] | None = None,
     terminal: Mapping[str, Plain] | None = None,
-    progress: Progress = None,
+    progress: Progress | None = None,
     **measures: Unpack[Measures],
 ) -> Identification:
     """Points, and the parameters of a muscle to identify from them.
@@ -9229,7 +9229,7 @@ def fit_rubber(
     weights: Mapping[str, Number] | None = None,
     stable: bool = False,
     hoop_stretch: Number | None = None,
-    progress: Progress = None,
+    progress: Progress | None = None,
 ) -> RubberFit:
     """Tension tests, and the laws to fit.
 
@@ -9309,7 +9309,7 @@ def fit(
     muscle: MuscleLike | None = None,
     terms: FileLike | None = None,
     figures: bool = False,
-    progress: Progress = None,
+    progress: Progress | None = None,
 ) -> Fit:
     """A table of points, and how the formula is made.
 

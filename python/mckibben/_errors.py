@@ -27,23 +27,16 @@ class MckibbenError(Exception):
     ``index`` the place in the flattened arrays, where the question was for arrays.
     """
 
-    def __init__(
-        self,
-        message: str = "",
-        *,
-        kind: str = "usage",
-        hint: str = "",
-        field: str | None = None,
-        nearest: dict[str, float | None] | None = None,
-        index: int | None = None,
-    ) -> None:
+    kind: str = "usage"
+    hint: str = ""
+    field: str | None = None
+    nearest: dict[str, float | None] | None = None
+    index: int | None = None
+
+    def __init__(self, message: str = "", **known: Any) -> None:
         super().__init__(message)
-        self.message: str = message
-        self.kind: str = kind
-        self.hint: str = hint
-        self.field: str | None = field
-        self.nearest: dict[str, float | None] | None = nearest
-        self.index: int | None = index
+        self.message = message
+        self.__dict__.update(known)
 
     def __str__(self) -> str:
         at = f"point {self.index}: " if self.index is not None else ""

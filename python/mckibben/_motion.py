@@ -631,11 +631,6 @@ class Simulation:
         """Another one in the same state, which goes its own way and records from here on; it takes as long after many steps as after one."""
         return object.__new__(Simulation)._hold(*self._made, self._native.copy())
 
-    __copy__ = copy
-
-    def __deepcopy__(self, memo: dict[int, Any]) -> Simulation:
-        return self.copy()
-
     def __getstate__(self) -> tuple[Any, ...]:
         return self._made, self.get_state()
 

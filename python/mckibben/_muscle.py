@@ -181,6 +181,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         jac: bool | Sequence[str],
         options: dict[str, Any],
     ) -> Any:
+        """A number or an array of the broadcast shape; with `jac` also the derivatives along one axis more."""
         nan = is_nan(options.pop("errors", "raise"))
         progress = options.pop("progress", None)
         bound = self._bound(options)
@@ -194,19 +195,6 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
                 found, said = bound.answer_pair(wanted, a, b, nan)
             _say(said)
             return found
-        return self._arrays(bound, wanted, a, b, jac, nan, progress)
-
-    def _arrays(
-        self,
-        bound: _native.Model,
-        wanted: str,
-        a: Any,
-        b: Any,
-        jac: bool | Sequence[str],
-        nan: bool,
-        progress: Progress,
-    ) -> Any:
-        """A number or an array of the broadcast shape; with `jac` also the derivatives along one axis more."""
         name, *pair = _api.NUMBERS[wanted]
         (a, b), labelled = arrays(*zip(pair, (a, b)))
         mask, (a, b) = unmasked([a, b])

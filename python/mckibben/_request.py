@@ -38,31 +38,24 @@ if TYPE_CHECKING:
 
     Answer = TypeVar("Answer", bound=Record)
     # A number in the unit of its name, a text with its unit, or a quantity of pint.
-    Number = Union[float, str, Measured]
+    Number = float | str | Measured
     # Several; a text may be a range with both ends in, such as "0..2.5:0.5 bar".
-    Numbers = Union[Sequence[Number], NDArray[np.floating[Any]], str, Measured]
+    Numbers = Sequence[Number] | NDArray[np.floating[Any]] | str | Measured
     # What a search goes through: one value, a list of values, or all between the two of a tuple or of "30..50 mm".
-    Choice = Union[Number, Numbers, Mapping[str, Number]]
+    Choice = Number | Numbers | Mapping[str, Number]
     # What a table of a request, and an option, may hold.
-    Plain = Union[
-        None,
-        bool,
-        Number,
-        NDArray[np.floating[Any]],
-        Sequence["Plain"],
-        Mapping[str, "Plain"],
-    ]
+    Plain = Union[None, bool, Number, Numbers, Sequence["Plain"], Mapping[str, "Plain"]]
     # What a model is asked for: anything that NumPy reads as numbers, texts with a unit, quantities of pint.
-    Floats = Union[ArrayLike, Number, Numbers]
+    Floats = ArrayLike | Number | Numbers
     # A path, or the content of the file as {"name": …, "text": …}.
-    FileLike = Union[str, os.PathLike[str], Mapping[str, str]]
+    FileLike = str | os.PathLike[str] | Mapping[str, str]
     # The same, or a data frame, an answer with a table, or columns by name.
-    TableLike = Union[str, os.PathLike[str], Mapping[str, Any], Any]
+    TableLike = Any
     FormulaLike = Union[FileLike, Formula]
     MuscleLike = Union[FileLike, Muscle]
     RubberLike = Union[FileLike, Rubber]
     # True for a line on standard error, or a function that is called with (done, total).
-    Progress = Union[bool, Callable[[int, int], object], None]
+    Progress = bool | Callable[[int, int], object] | None
     Array = NDArray[np.float64]
     # Whether a point without an answer is an exception, or NaN.
     Errors = Literal["raise", "nan"]

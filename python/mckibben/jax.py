@@ -266,9 +266,8 @@ def _function(asked: _Asked) -> Callable[..., jax.Array]:
 
     def outer(first: Any, second: Any = 0.0, theta: Any = ()) -> jax.Array:
         if isinstance(theta, Mapping):
-            if set(theta) != set(asked.names):
-                raise InputError(f"the values of {[*asked.names]}", field="theta")
-            theta = jnp.stack([jnp.asarray(theta[name]) for name in asked.names])
+            is_all = set(theta) == set(asked.names)
+            theta = [theta[name] for name in asked.names] if is_all else jnp.nan
         given = [first] if isinstance(asked, _OfMuscle) else first
         *given, theta = (jnp.asarray(v, dtype=float) for v in (*given, second, theta))
         if theta.shape != (len(asked.names),):
