@@ -985,7 +985,9 @@ def robot():
                 "--overwrite",
             )
     blocks = re.findall(
-        r"```xml\n(.*?)```", (ROOT / "docs/exports-simulators.md").read_text(), re.DOTALL
+        r"```xml\n(.*?)```",
+        (ROOT / "docs/exports-simulators.md").read_text(),
+        re.DOTALL,
     )
     (robot,) = (block for block in blocks if "muscle_biceps_part.xml" in block)
     (folder / "robot.xml").write_text(robot)
