@@ -162,6 +162,12 @@ pub fn bill(plan: &Plan) -> Vec<BuildPart> {
             format!("2 × {}", long(frame.rod_length_mm)),
         ),
     ]);
+    parts.extend(used(plan));
+    parts
+}
+
+/// What is used up, and what measures.
+fn used(plan: &Plan) -> impl Iterator<Item = BuildPart> {
     let shown = &plan.shown;
     let [relief, proof] =
         [plan.highest_mpa(), plan.safety.proof_pressure_mpa].map(|mpa| shown.pressure(mpa));
@@ -172,11 +178,10 @@ pub fn bill(plan: &Plan) -> Vec<BuildPart> {
     };
     let pull = shown.force(plan.operating.stretched.range_n()[2]);
     let hose = plan.air_plug.port.map(|port| port.fitting.hose());
-    parts.extend(hose.map(|hose| shared(&hose, format!("for {proof}"), "2 m")));
+    let hose = hose.map(|hose| shared(&hose, format!("for {proof}"), "2 m"));
     let resin = "epoxy resin or thin cyanoacrylate";
     let resin = shared(resin, "to seal the printed plugs", "a little");
-    parts.extend(plan.air_plug.is_printed().then_some(resin));
-    parts.extend([
+    let all = [
         shared(supply, format!("relief at {relief}"), "1 each"),
         shared(
             "hand pump with gauge",
@@ -204,8 +209,9 @@ pub fn bill(plan: &Plan) -> Vec<BuildPart> {
             "for a thread without a seal of its own",
             "0.2 m",
         ),
-    ]);
-    parts
+    ];
+    let resin = plan.air_plug.is_printed().then_some(resin);
+    all.into_iter().chain(hose).chain(resin)
 }
 
 fn of_a_muscle(plan: &Plan) -> Vec<BuildPart> {

@@ -443,16 +443,18 @@ fn tests(plan: &Plan) -> Vec<String> {
     let mut steps = vec![
         fill.to_owned(),
         format!(
-            "Bolt it into the frame, which holds its length ({} between the heads): the bolt of each end \
-             lies in a pair of bars {} × {}, {} long (S235JR), with holes {}. The nuts of both rods M{}, \
-             of class 8.8 and {} long, lie on bridges {} × {}, {} long, and press the pairs apart. With a \
-             free length an end would carry the pressure on its bore only. Safety glasses, a screen, \
-             nobody in line with the muscle.",
+            "Bolt it into the frame, which holds its length ({} between the heads; with a free length an \
+             end would carry the pressure on its bore only). The bolt of each end lies in a pair of bars \
+             {} × {}, {} long (S235JR), with holes {}.",
             shown.length(plan.faces_mm(0.0)),
             mm(frame.bar.width_mm),
             mm(frame.bar.thick_mm),
             shown.length(frame.bar_length_mm),
-            mm(plan.air_plug.hole_mm),
+            mm(plan.air_plug.hole_mm)
+        ),
+        format!(
+            "The nuts of both rods M{}, of class 8.8 and {} long, lie on bridges {} × {}, {} long, and \
+             press the pairs apart. Safety glasses, a screen, nobody in line with the muscle.",
             mm(frame.rod_mm),
             shown.length(frame.rod_length_mm),
             mm(wide),

@@ -147,18 +147,7 @@ impl Held {
         let chance = chance(&pulls, count);
         let ends = match precision {
             Precision::Rough => ends_at(assessed, pressure_mpa),
-            Precision::Exact => {
-                // In proportion to the pull, which is too much: some pressure only takes up slack.
-                let [_, high] = NINE_OF_TEN.map(|share| Some(normal_deviations(share * chance?)));
-                let more = |(force_n, pull): &(f64, Pull)| {
-                    let [sure_n, high_n] = [z, high].map(|z| pull.quantile_n(z, force_n.signum()));
-                    sure_n / high_n
-                };
-                let more = pulls.iter().map(more).fold(1.0, f64::max);
-                let used_mpa = highest_mpa.min(more * pressure_mpa);
-                let proof_mpa = assessed.burst.highest_proof_mpa(used_mpa);
-                assessed.proved_ends(proof_mpa).unwrap_or(Ends::NONE)
-            }
+            Precision::Exact => ends_proved(assessed, &pulls, chance, pressure_mpa),
         };
         let mut held = Self {
             place: job.place,
@@ -274,4 +263,25 @@ fn ends_at(assessed: &mut Assessed<'_>, pressure_mpa: f64) -> Ends {
         .max(0.0);
     let load_n = PROOF_TO_WORKING * clamp_load_n(assessed.muscle, blocked_n, pressure_mpa);
     ends(assessed.muscle, [load_n; 2], Precision::Rough).unwrap_or(Ends::NONE)
+}
+
+/// The ends for a proof test above the pressure below which nine of ten end, estimated from that in
+/// MPa which is surely enough.
+fn ends_proved(
+    assessed: &mut Assessed<'_>,
+    pulls: &[(f64, Pull)],
+    chance: Option<f64>,
+    sure_mpa: f64,
+) -> Ends {
+    let z = assessed.spec.deviations();
+    let [_, high] = NINE_OF_TEN.map(|share| Some(normal_deviations(share * chance?)));
+    // In proportion to the pull, which is too much: some pressure only takes up slack.
+    let more = |(force_n, pull): &(f64, Pull)| {
+        let [sure_n, high_n] = [z, high].map(|z| pull.quantile_n(z, force_n.signum()));
+        sure_n / high_n
+    };
+    let more = pulls.iter().map(more).fold(1.0, f64::max);
+    let used_mpa = assessed.highest_mpa.min(more * sure_mpa);
+    let proof_mpa = assessed.burst.highest_proof_mpa(used_mpa);
+    assessed.proved_ends(proof_mpa).unwrap_or(Ends::NONE)
 }

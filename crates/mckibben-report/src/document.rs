@@ -102,7 +102,7 @@ impl Part {
     }
 
     pub fn table(head: &[&str], rows: Vec<Vec<String>>) -> Self {
-        let head = head.iter().map(|&name| name.to_owned()).collect();
+        let head = head.iter().map(ToString::to_string).collect();
         Self::Table { head, rows }
     }
 

@@ -44,6 +44,4 @@ pub use axes::extents;
 pub use document::{Document, Part};
 pub use drawing::Anchor;
 pub use figure::{Axis, Figure, FigureError, Mark, Palette, Panel, Series, Style};
-#[cfg(feature = "png")]
-pub use sheet::to_pdf;
 pub use sheet::{DrawingSheet, Pen};

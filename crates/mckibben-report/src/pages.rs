@@ -8,9 +8,10 @@ use crate::{
     },
     figure::Result,
     font::Metrics,
+    pdf,
     rect::PER_MM,
     sheet::{
-        self, CAPITALS, DrawingSheet,
+        CAPITALS, DrawingSheet,
         Pen::{self, Outline, Thin},
     },
 };
@@ -26,6 +27,8 @@ const BOTTOM_MM: f64 = 18.0;
 const TEXT_MM: f64 = 2.1;
 const HEADING_MM: f64 = 2.9;
 const TITLE_MM: f64 = 4.0;
+/// The same as the size of the font.
+const SIZE: f64 = TEXT_MM * PER_MM / CAPITALS;
 /// From one line of a text to the next, over the height of its capitals.
 const LEADING: f64 = 2.0;
 const ROW_MM: f64 = LEADING * TEXT_MM;
@@ -39,8 +42,7 @@ const HEAD_MM: f64 = 16.0;
 const BOX_MM: f64 = 3.2;
 
 /// Pages that are filled from above.
-struct Pages<'a> {
-    title: &'a str,
+struct Pages {
     metrics: Metrics,
     done: Vec<DrawingSheet>,
     sheet: DrawingSheet,
@@ -52,17 +54,14 @@ impl Document {
     /// The report as a PDF of A4 pages, without bodies and texts of files.
     pub fn to_pdf(&self) -> Result<Vec<u8>> {
         let mut pages = Pages {
-            title: &self.title,
             metrics: Metrics::new()?,
             done: vec![],
-            sheet: empty(&self.title),
+            sheet: empty(),
             y: TOP_MM,
         };
         pages.text(&self.title, LEFT_MM, TITLE_MM);
         pages.y -= 2.0;
-        if !self.title_block.is_empty() {
-            pages.title_block(&self.title_block);
-        }
+        pages.title_block(&self.title_block);
         pages.text(&self.lead, LEFT_MM, TEXT_MM);
         for (i, part) in self.parts.iter().enumerate() {
             if let (Part::Heading(_), Some(Part::Drawing(sheet))) = (part, self.parts.get(i + 1)) {
@@ -70,22 +69,22 @@ impl Document {
             }
             pages.part(part)?;
         }
-        pages.y -= 3.0;
         pages.text(&self.footer, LEFT_MM, 1.8);
-        sheet::to_pdf(&pages.numbered(), &self.title)
+        let sheets = pages.numbered(&self.title);
+        let sheets = sheets.iter().map(DrawingSheet::drawing);
+        pdf::render(&sheets.collect::<Result<Vec<_>>>()?, &self.title)
     }
 }
 
-fn empty(title: &str) -> DrawingSheet {
-    DrawingSheet::new(title.into(), PAPER_MM[0], PAPER_MM[1])
+fn empty() -> DrawingSheet {
+    DrawingSheet::new(String::new(), PAPER_MM[0], PAPER_MM[1])
 }
 
-impl Pages<'_> {
+impl Pages {
     /// Begins a new page where this one has less room than a height in mm.
     fn room(&mut self, height_mm: f64) {
         if self.y - height_mm < BOTTOM_MM && self.y < TOP_MM {
-            self.done
-                .push(std::mem::replace(&mut self.sheet, empty(self.title)));
+            self.done.push(std::mem::replace(&mut self.sheet, empty()));
             self.y = TOP_MM;
         }
     }
@@ -98,7 +97,7 @@ impl Pages<'_> {
 
     /// Width in mm of a text of a table.
     fn width_mm(&self, text: &str) -> f64 {
-        self.metrics.width(text, TEXT_MM * PER_MM / CAPITALS) / PER_MM
+        self.metrics.width(text, SIZE) / PER_MM
     }
 
     fn text(&mut self, text: &str, x: f64, height_mm: f64) {
@@ -183,11 +182,7 @@ impl Pages<'_> {
             for (i, (name, text)) in row.iter().enumerate() {
                 let x = LEFT_MM + width * i as f64 + 1.0;
                 self.sheet.text([x, self.y - 3.0], 1.8, Start, name);
-                let shown = self
-                    .lines(text, TEXT_MM, width - 2.0)
-                    .into_iter()
-                    .next()
-                    .unwrap_or_default();
+                let shown = self.metrics.fit(text, SIZE, (width - 2.0) * PER_MM);
                 self.sheet.text([x, self.y - 7.5], TEXT_MM, Start, shown);
             }
             self.y -= 9.0;
@@ -255,13 +250,12 @@ impl Pages<'_> {
     }
 
     /// All pages with their numbers.
-    fn numbered(mut self) -> Vec<DrawingSheet> {
+    fn numbered(mut self, title: &str) -> Vec<DrawingSheet> {
         self.done.push(self.sheet);
         let count = self.done.len();
         for (i, sheet) in self.done.iter_mut().enumerate() {
+            sheet.text([LEFT_MM, 10.0], 1.8, Start, title);
             let number = format!("page {} of {count}", i + 1);
-            let short: String = self.title.chars().take(80).collect();
-            sheet.text([LEFT_MM, 10.0], 1.8, Start, short);
             sheet.text([RIGHT_MM, 10.0], 1.8, End, number);
         }
         self.done

@@ -158,13 +158,3 @@ impl DrawingSheet {
         self.push(item);
     }
 }
-
-/// Sheets as the pages of a PDF.
-#[cfg(feature = "png")]
-pub fn to_pdf(sheets: &[DrawingSheet], title: &str) -> Result<Vec<u8>> {
-    let pages: Vec<&Drawing> = sheets
-        .iter()
-        .map(DrawingSheet::drawing)
-        .collect::<Result<_>>()?;
-    crate::pdf::render(&pages, title)
-}

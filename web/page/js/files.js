@@ -115,7 +115,7 @@ const report = () =>
 const workshop = () =>
   card(
     "Workshop",
-    "order, cut list, drawings, steps and record (HTML), plugs (STEP, STL), test sheet, muscle file",
+    "order, drawings, steps and record (HTML), plugs (STEP, STL), test sheet, muscle file",
     [],
     ["Make the build sheet", "build"],
     () => ({ ...atPressure(), units: units() }),

@@ -1,7 +1,7 @@
 //! The door out: a file appears whole or not at all.
 
 use std::{
-    fs::{File, Metadata, OpenOptions},
+    fs::{File, Metadata, OpenOptions, create_dir_all},
     io::{Error, ErrorKind, Result, Write as _},
     path::{Path, PathBuf},
     sync::{Mutex, MutexGuard, PoisonError},
@@ -35,7 +35,7 @@ pub fn put_all<N: AsRef<Path>, B: AsRef<[u8]>>(
     files: impl IntoIterator<Item = (N, B)>,
     overwrite: bool,
 ) -> std::result::Result<(), (PathBuf, Error)> {
-    std::fs::create_dir_all(folder).map_err(|e| (folder.into(), e))?;
+    create_dir_all(folder).map_err(|e| (folder.into(), e))?;
     let mut whole = vec![];
     let files = files.into_iter().collect::<Vec<_>>();
     // One file of a long series is not worth a look through its folder.
@@ -46,23 +46,19 @@ pub fn put_all<N: AsRef<Path>, B: AsRef<[u8]>>(
     }
     for (name, bytes) in files {
         let path = folder.join(name);
-        if let Some(inner) = path.parent().filter(|inner| *inner != folder) {
-            let made = std::fs::create_dir_all(inner);
-            if inner.is_symlink() {
-                return Err((path, exists()));
-            }
-            made.map_err(|e| (inner.into(), e))?;
-        }
-        match Unfinished::inside(&path, overwrite)
-            .and_then(|file| file.with_content(bytes.as_ref()))
-        {
-            Ok(file) => whole.push((path, file)),
-            Err(error) => return Err((path, error)),
-        }
+        let inner = folder_of(&path);
+        let file = match inner != folder && inner.is_symlink() {
+            true => Err(exists()),
+            false => create_dir_all(inner),
+        };
+        let file =
+            file.and_then(|()| Unfinished::inside(&path, overwrite)?.with_content(bytes.as_ref()));
+        whole.push(file.map_err(|e| (path, e))?);
     }
-    whole
-        .into_iter()
-        .try_for_each(|(path, file)| file.put(overwrite).map_err(|e| (path, e)))
+    whole.into_iter().try_for_each(|file| {
+        let path = file.target.clone();
+        file.put(overwrite).map_err(|e| (path, e))
+    })
 }
 
 /// Whether a file may be put at `path`: nothing is there, what is no file (a device), or a file
@@ -423,6 +419,25 @@ mod tests {
         }
         symlink("circle", at("circle")).unwrap();
         assert!(put(&at("circle"), b"x", true).is_err());
+    }
+
+    /// A folder in the folder is made; a link in its place is no way out.
+    #[cfg(unix)]
+    #[test]
+    fn files_go_into_a_folder_inside_but_not_through_a_link() {
+        let outer = tempfile::tempdir().unwrap();
+        let folder = outer.path().join("folder");
+        let files = || [("bodies/a", b"one".as_slice()), ("b", b"two")];
+        put_all(&folder, files(), false).unwrap();
+        assert_eq!(std::fs::read(folder.join("bodies/a")).unwrap(), b"one");
+        std::fs::remove_dir_all(folder.join("bodies")).unwrap();
+        symlink("..", folder.join("bodies")).unwrap();
+        let (path, error) = put_all(&folder, files(), true).unwrap_err();
+        assert_eq!(
+            (path, error.kind()),
+            (folder.join("bodies/a"), ErrorKind::AlreadyExists)
+        );
+        assert!(!outer.path().join("a").exists());
     }
 
     /// Row D5 of the trials: `identified.toml -> ../elsewhere`, a dangling `README.md`.
