@@ -18,6 +18,7 @@ import sys
 import textwrap
 from collections.abc import Iterable
 from functools import cache
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -375,11 +376,10 @@ def function(command: str, owner: str) -> str:
     fields = {n: fields[n] for n in order if n not in own}
     made = {n: parameter(n, field, first.get(n, "")) for n, field in fields.items()}
     keywords = [made[n] for n in fields if n not in first]
-    listed = dict(fields)
     given = "locals()"
     if reference(fields.get("muscle")) == "MuscleFields":
         keywords.append("**measures: Unpack[Measures]")
-        listed["measures"] = {"description": TEXTS["Measures"]}
+        fields["measures"] = {"description": TEXTS["Measures"]}
         given = '{**locals(), "muscle": {"file": muscle, **known(measures, Measures)}, "measures": None}'
     if reference(properties(held["request"]).get("model")) == "ModelFields":
         given = f'modelled({given}, "{command}")'
@@ -394,7 +394,7 @@ def function(command: str, owner: str) -> str:
     example = TEXTS[f"{owner}.{name}".strip(".")]
     about = [
         wrapped(doc(held["request"])),
-        section("Parameters", listed),
+        section("Parameters", fields),
         section("Returns", {answer: held["answer"]}),
         TEXTS["Raises"],
         f"Examples\n--------\n>>> import mckibben as mk\n{example}",
@@ -421,9 +421,12 @@ def asked(name: str) -> str:
 
     array, given = "NDArray[np.float64]", "Unpack[Asking]"
     overloads = [
-        head("Number", "Literal[False] = False", given, "float"),
-        head("Floats", "Literal[False] = False", given, array),
-        head("Floats", "Literal[True] | Sequence[str]", given, f"tuple[Any, {array}]"),
+        head(kind, jac, given, answer.format(pull))
+        for jac, answer in (
+            ("Literal[False] = False", "{}"),
+            ("Literal[True] | Sequence[str]", f"tuple[{{}}, {array}]"),
+        )
+        for kind, pull in (("Number", "float"), ("Floats", array))
     ]
     return "\n".join(
         [
@@ -500,27 +503,11 @@ def record(name: str, schema: Schema, rows: str | None) -> str:
     return class_of(f"{name}({base})", about, lines, fields)
 
 
-def solution() -> str:
-    """What is known of points, each as an array."""
-    fields = {
-        n: f
-        for n, f in properties({"$ref": "#/$defs/Answer"}).items()
-        if type_of(f, True) in ("float", "float | None")
-    }
-    about = (
-        "Points of a muscle as arrays of one shape; NaN where a point does not have it."
-    )
-    lines = (f"{n}: NDArray[np.float64]" for n in fields)
-    return class_of("Solution(_record.Points)", about, lines, fields)
-
-
-def state() -> str:
-    """Where a simulation is."""
-    fields = properties({"$ref": "#/$defs/MotionSeries"})
-    about = "Where a simulation is; None what it is not."
-    # Of a muscle or of a joint: whoever asks knows which it is, and needs no look at None.
-    lines = (f"{n}: float" for n in fields)
-    return class_of("State(Record)", about, lines, fields)
+def numbers(head: str, about: str, kind: str, of: str) -> str:
+    """The numbers of a definition, all of one type."""
+    fields = properties({"$ref": f"#/$defs/{of}"})
+    held = {n: f for n, f in fields.items() if "float" in type_of(f, True)}
+    return class_of(head, about, (f"{n}: {kind}" for n in held), held)
 
 
 def keywords(name: str, about: str, fields: dict[str, Schema]) -> str:
@@ -531,7 +518,6 @@ def keywords(name: str, about: str, fields: dict[str, Schema]) -> str:
 
 def answers() -> dict[str, tuple[Schema, str | None]]:
     """All records, by name: those of commands, and those to which they refer."""
-    asked = [command for names in COMMANDS.values() for command in names]
     out: dict[str, tuple[Schema, str | None]] = {}
 
     def reach(schema: Schema) -> None:
@@ -541,7 +527,7 @@ def answers() -> dict[str, tuple[Schema, str | None]]:
                 out[called] = held, None
                 reach(held)
 
-    for command in asked:
+    for command in chain(*COMMANDS.values()):
         schema = schemas()[command]["answer"]
         reach(schema)
         out[NAMES.get(schema["title"], schema["title"])] = schema, ROWS.get(command)
@@ -563,14 +549,18 @@ def api() -> str:
         'class Asking(Options, total=False):\n    """How a muscle is asked for numbers."""\n    errors: Literal["raise", "nan"]\n    progress: Progress',
         keywords("Measures", TEXTS["Measures"], muscle()),
     ]
-    parts += [solution(), state(), fields_class()]
-    parts.append(
-        class_of(
-            "MuscleNumbers",
-            "Numbers that a muscle is asked for.",
-            map(asked, ASKED),
-        )
+    about = (
+        "Points of a muscle as arrays of one shape; NaN where a point does not have it."
     )
+    known = "Where a simulation is; None what it is not."
+    wanted = "Numbers that a muscle is asked for."
+    parts += [
+        numbers("Solution(_record.Points)", about, COLUMNS["float"], "Answer"),
+        # Of a muscle or of a joint: whoever asks knows which it is, and needs no look at None.
+        numbers("State(Record)", known, "float", "MotionSeries"),
+        fields_class(),
+        class_of("MuscleNumbers", wanted, map(asked, ASKED)),
+    ]
     for owner, commands in COMMANDS.items():
         made_of = [function(command, owner) for command in commands]
         what = "What the program answers of it, by command."

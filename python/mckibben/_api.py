@@ -7736,12 +7736,21 @@ class MuscleNumbers:
     @overload
     def force(
         self: Any,
+        pressure_mpa: Number,
+        contraction: Number = 0.0,
+        *,
+        jac: Literal[True] | Sequence[str],
+        **options: Unpack[Asking],
+    ) -> tuple[float, NDArray[np.float64]]: ...
+    @overload
+    def force(
+        self: Any,
         pressure_mpa: Floats,
         contraction: Floats = 0.0,
         *,
         jac: Literal[True] | Sequence[str],
         **options: Unpack[Asking],
-    ) -> tuple[Any, NDArray[np.float64]]: ...
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
     def force(
         self: Any,
         pressure_mpa: Any,
@@ -7818,12 +7827,21 @@ class MuscleNumbers:
     @overload
     def pressure(
         self: Any,
+        force_n: Number,
+        contraction: Number = 0.0,
+        *,
+        jac: Literal[True] | Sequence[str],
+        **options: Unpack[Asking],
+    ) -> tuple[float, NDArray[np.float64]]: ...
+    @overload
+    def pressure(
+        self: Any,
         force_n: Floats,
         contraction: Floats = 0.0,
         *,
         jac: Literal[True] | Sequence[str],
         **options: Unpack[Asking],
-    ) -> tuple[Any, NDArray[np.float64]]: ...
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
     def pressure(
         self: Any,
         force_n: Any,
@@ -7900,12 +7918,21 @@ class MuscleNumbers:
     @overload
     def contraction(
         self: Any,
+        force_n: Number,
+        pressure_mpa: Number,
+        *,
+        jac: Literal[True] | Sequence[str],
+        **options: Unpack[Asking],
+    ) -> tuple[float, NDArray[np.float64]]: ...
+    @overload
+    def contraction(
+        self: Any,
         force_n: Floats,
         pressure_mpa: Floats,
         *,
         jac: Literal[True] | Sequence[str],
         **options: Unpack[Asking],
-    ) -> tuple[Any, NDArray[np.float64]]: ...
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
     def contraction(
         self: Any,
         force_n: Any,

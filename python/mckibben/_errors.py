@@ -109,6 +109,7 @@ ARGUMENTS = {
     **dict.fromkeys(("direction", "branches", "both"), "branch"),
     "figure": "units",
     "with": "with_",
+    "bulk_modulus": "bulk_modulus_mpa",
 }
 
 # What keywords make is no file, and is named by what it is; so are tables.
@@ -135,9 +136,13 @@ def of(values: dict[str, Any]) -> MckibbenError:
         values["field"] = "name" if said[1] == "part" else said[1] or said[2]
     name, _, rest = message.partition(":")
     if name in TABLES or (kind is FileError and name in _TEXTS):
-        kind = InputError
-        values |= {"field": name, "message": rest.strip()}
-        if name in _TEXTS:
+        kind, rest = InputError, rest.strip().replace("tube.material.", "")
+        # Whoever gives a muscle as a text finds the place there.
+        at = re.match(r"[\d:]+ (\w+)\.?(.*)", rest)
+        if at and name != "muscle":
+            name, rest = at[1], at[2].lstrip(" =:")
+        values |= {"field": ARGUMENTS.get(name, name), "message": rest}
+        if name not in TABLES:
             values["kind"] = "usage"
     elif re.search(r"\(os error 2\)|does not exist", message):
         kind = MissingFileError if kind is FileError else kind

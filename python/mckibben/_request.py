@@ -13,7 +13,9 @@ from . import _native
 from ._errors import (
     TABLES,
     ExistingFileError,
+    MckibbenError,
     InputError,
+    blamed,
     checked,
     warned,
     wrong_type,
@@ -198,9 +200,9 @@ def array(name: str, value: Any) -> Array:
     kind = getattr(getattr(value, "dtype", None), "kind", None)
     items = value.tolist() if kind in ("O", "U") else value
     if isinstance(items, (list, tuple)) and any(
-        isinstance(v, str) or hasattr(v, "magnitude") for v in items
+        v is None or isinstance(v, str) or hasattr(v, "magnitude") for v in items
     ):
-        value = [number(name, item) for item in items]
+        value = [np.nan if item is None else number(name, item) for item in items]
     given: Any = (np.asanyarray if np.ma.isMA(value) else np.asarray)(value)
     if given.dtype.kind not in "fiu":
         raise wrong_type(name, _NUMBERS, value)
@@ -310,7 +312,18 @@ def answered(
     own = me._files(command) if me else {}
     request = _native.given(command, fields({**own, **given}))
     drawn = {} if figure is None else {"figure": figure}
-    found = _native.ask(command, {**request, **drawn}, progress)
+    try:
+        found = _native.ask(command, {**request, **drawn}, progress)
+    except MckibbenError as error:
+        # A name in quotes is one that was given.
+        quoted = re.match(r"[^\"`]*[\"`]([^\"`]+)", error.message)
+        names = (
+            n
+            for n, v in given.items()
+            if quoted and isinstance(v, (list, tuple)) and quoted[1] in v
+        )
+        error.field = error.field or next(names, None)
+        raise
     return kind._read(found, (command, request))
 
 
@@ -405,7 +418,8 @@ def put(
                 hint="or overwrite=True",
             )
     for path, content in contents.items():
-        _native.write_file(path, content)
+        with blamed("path"):
+            _native.write_file(path, content)
 
 
 def table(value: Any, name: str = "data") -> dict[str, str]:

@@ -5,16 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-import jax
-import jax.numpy as jnp
-import numpy as np
-
 from ._errors import InputError, MckibbenError
 from ._motion import Joint
 from ._muscle import MEASURES, filled
-from ._request import fields, is_nan, modelled
+from ._request import fields, is_nan, modelled, numpy as np
 
 if TYPE_CHECKING:
+    import jax
     from typing_extensions import Unpack
 
     from ._api import Asking
@@ -22,8 +19,8 @@ if TYPE_CHECKING:
     from ._request import Array
 
 # Places and weights of differences of fourth order, about a point and from a point on.
-_PLACES = np.array([[-2, 0], [-1, 1], [0, 2], [1, 3], [2, 4]])
-_WEIGHTS = np.array([[1, -25], [-8, 48], [0, -36], [8, 16], [-1, -3]]) / 12
+_PLACES = (-2, 0), (-1, 1), (0, 2), (1, 3), (2, 4)
+_WEIGHTS = (1, -25), (-8, 48), (0, -36), (8, 16), (-1, -3)
 # Steps of differences are this share of a value, or of what is usual where that is less.
 _STEP = 1e-3
 _USUAL = {"force": (0.1, 0.2), "pressure": (100.0, 0.2), "contraction": (100.0, 0.1)}
@@ -68,7 +65,9 @@ class _Asked:
                 moved = points.copy(), theta.copy()
                 moved[i >= count][..., i - count] += np.where(about, *at) * h
                 slopes = self.numbers(*moved, True, beyond)
-                row = row + (np.where(about, *by) / h)[..., None] * slopes[..., 1:]
+                row = (
+                    row + (np.where(about, *by) / (12 * h))[..., None] * slopes[..., 1:]
+                )
             rows.append(row)
         out = np.stack(rows, axis=-1)
         # What is equal differs by rounding alone.
@@ -222,6 +221,10 @@ def torque(joint: Joint, **options: Unpack[Asking]) -> Callable[..., jax.Array]:
 
 
 def _function(asked: _Asked) -> Callable[..., jax.Array]:
+    # It takes its time, and need not be there.
+    import jax
+    import jax.numpy as jnp
+
     count = len(asked.usual)
 
     def of_order(order: int) -> jax.custom_jvp[Any]:
