@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict, overload
+from typing import TYPE_CHECKING, Any, Literal, TypedDict, overload
 
 from . import _record
 from ._record import Record
 from ._request import answered, known, modelled
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
     from typing_extensions import Unpack
 
     from ._muscle import Muscle
@@ -518,7 +516,7 @@ class Build(_record.Files):
         Warnings.
     """
 
-    _rows: ClassVar[str | None] = "parts"
+    _rows = "parts"
     muscle: MuscleSummary
     model: str
     contraction: float
@@ -592,7 +590,7 @@ class Build(_record.Files):
             self, name: Literal["part", "size", "amount", "spare"], /
         ) -> list[str]: ...
         @overload
-        def __getitem__(self, name: Literal["mass_g"], /) -> NDArray[np.float64]: ...
+        def __getitem__(self, name: Literal["mass_g"], /) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -1601,7 +1599,7 @@ class CompareAnswer(Record):
         The figure, if requested.
     """
 
-    _rows: ClassVar[str | None] = "models"
+    _rows = "models"
     reference: str
     points: int
     largest_force_n: float
@@ -1628,7 +1626,7 @@ class CompareAnswer(Record):
                 "mean_volume_mm3",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -1727,7 +1725,7 @@ class Curve(_record.Curves):
         The figure, if requested.
     """
 
-    _rows: ClassVar[str | None] = "points"
+    _rows = "points"
     model: str
     test: Literal["isometric", "isotonic", "isobaric"]
     muscle: MuscleSummary
@@ -1812,7 +1810,7 @@ class Curve(_record.Curves):
                 "wanted_force_n",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -1998,7 +1996,7 @@ class Design(_record.Designed):
         The candidates as muscle files, in their order.
     """
 
-    _rows: ClassVar[str | None] = "candidates"
+    _rows = "candidates"
     model: str
     searched_with: str
     max_pressure_mpa: float
@@ -2059,7 +2057,7 @@ class Design(_record.Designed):
                 "uncertainty_n",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(
             self, name: Literal["rubber", "braid", "model"], /
@@ -2451,7 +2449,7 @@ class Export(_record.Files):
         Warnings.
     """
 
-    _rows: ClassVar[str | None] = "files"
+    _rows = "files"
     target: str
     name: str
     form: ExportForm
@@ -3157,7 +3155,7 @@ class Identification(_record.Identified):
         The figure, if requested.
     """
 
-    _rows: ClassVar[str | None] = "parameters"
+    _rows = "parameters"
     model: str
     data: str
     understood: list[UnderstoodTable]
@@ -3190,7 +3188,7 @@ class Identification(_record.Identified):
                 "prior_standard_deviation",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -3311,7 +3309,7 @@ class JointExport(_record.Files):
         Warnings.
     """
 
-    _rows: ClassVar[str | None] = "files"
+    _rows = "files"
     target: str
     name: str
     hash: str
@@ -3492,7 +3490,7 @@ class JointSolution(_record.Turned):
         The figure, if requested.
     """
 
-    _rows: ClassVar[str | None] = "points"
+    _rows = "points"
     model: str
     muscles: list[MuscleSummary]
     range_deg: tuple[float, float]
@@ -3564,7 +3562,7 @@ class JointSolution(_record.Turned):
                 "pressure_2_uncertainty_mpa",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -4203,7 +4201,7 @@ class MeasuresAnswer(Record):
         All of them, in the order of the fields of requests.
     """
 
-    _rows: ClassVar[str | None] = "measures"
+    _rows = "measures"
     measures: list[MeasureEntry]
     if TYPE_CHECKING:
 
@@ -4214,7 +4212,7 @@ class MeasuresAnswer(Record):
         @overload
         def __getitem__(
             self, name: Literal["above", "minimum", "maximum", "default"], /
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -4419,7 +4417,7 @@ class Motion(Record):
         The figure, if requested.
     """
 
-    _rows: ClassVar[str | None] = "series"
+    _rows = "series"
     model: str
     muscles: list[MuscleSummary]
     series: MotionSeries
@@ -4527,7 +4525,7 @@ class Motion(Record):
                 "command_2",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -4933,7 +4931,7 @@ class PartsListAnswer(Record):
         Force models.
     """
 
-    _rows: ClassVar[str | None] = "tubes sleeves rubbers muscles models"
+    _rows = "tubes sleeves rubbers muscles models"
     tubes: list[TubeSummary]
     sleeves: list[BraidSummary]
     rubbers: list[RubberSummary]
@@ -4956,7 +4954,7 @@ class PartsListAnswer(Record):
                 "pressure_mpa",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -5516,7 +5514,7 @@ class RubberFit(_record.FittedLaws):
         The figure, if requested.
     """
 
-    _rows: ClassVar[str | None] = "laws"
+    _rows = "laws"
     understood: list[UnderstoodTable]
     points: int
     left_out: int
@@ -5552,7 +5550,7 @@ class RubberFit(_record.FittedLaws):
                 "unstable_from_hoop_stretch",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -5980,7 +5978,7 @@ class SimulateAnswer(Record):
         Files for ParaView, if requested: `muscle.pvd`, which lists the others, comes first.
     """
 
-    _rows: ClassVar[str | None] = "points"
+    _rows = "points"
     model: str
     test: Literal["isometric", "isotonic", "isobaric"]
     muscle: MuscleSummary
@@ -6051,7 +6049,7 @@ class SimulateAnswer(Record):
                 "wanted_force_n",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(
             self, name: Literal["predicted_direction", "status", "cause"], /
@@ -6416,7 +6414,7 @@ class StudyAnswer(Record):
         The figure, if requested.
     """
 
-    _rows: ClassVar[str | None] = "points"
+    _rows = "points"
     model: str
     test: str
     findings: list[FindingAnswer]
@@ -6477,7 +6475,7 @@ class StudyAnswer(Record):
                 "wanted_force_n",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -7231,35 +7229,35 @@ class Solution(_record.Points):
         Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
     """
 
-    pressure_mpa: NDArray[np.float64]
-    contraction: NDArray[np.float64]
-    force_n: NDArray[np.float64]
-    volume_mm3: NDArray[np.float64]
-    volume_per_pressure_mm3_per_mpa: NDArray[np.float64]
-    volume_per_contraction_mm3: NDArray[np.float64]
-    stiffness_n_per_mm: NDArray[np.float64]
-    force_per_pressure_n_per_mpa: NDArray[np.float64]
-    braid_tension_n: NDArray[np.float64]
-    strand_tension_n: NDArray[np.float64]
-    bulged_diameter_mm: NDArray[np.float64]
-    middle_stretch: NDArray[np.float64]
-    max_stretch: NDArray[np.float64]
-    free_contraction: NDArray[np.float64]
-    start_pressure_mpa: NDArray[np.float64]
-    predicted_n: NDArray[np.float64]
-    predicted_low_n: NDArray[np.float64]
-    predicted_high_n: NDArray[np.float64]
-    mean_n: NDArray[np.float64]
-    uncertainty_n: NDArray[np.float64]
-    predicted_mpa: NDArray[np.float64]
-    predicted_low_mpa: NDArray[np.float64]
-    predicted_high_mpa: NDArray[np.float64]
-    pressure_uncertainty_mpa: NDArray[np.float64]
-    predicted: NDArray[np.float64]
-    predicted_low: NDArray[np.float64]
-    predicted_high: NDArray[np.float64]
-    contraction_uncertainty: NDArray[np.float64]
-    buckling_load_n: NDArray[np.float64]
+    pressure_mpa: Array
+    contraction: Array
+    force_n: Array
+    volume_mm3: Array
+    volume_per_pressure_mm3_per_mpa: Array
+    volume_per_contraction_mm3: Array
+    stiffness_n_per_mm: Array
+    force_per_pressure_n_per_mpa: Array
+    braid_tension_n: Array
+    strand_tension_n: Array
+    bulged_diameter_mm: Array
+    middle_stretch: Array
+    max_stretch: Array
+    free_contraction: Array
+    start_pressure_mpa: Array
+    predicted_n: Array
+    predicted_low_n: Array
+    predicted_high_n: Array
+    mean_n: Array
+    uncertainty_n: Array
+    predicted_mpa: Array
+    predicted_low_mpa: Array
+    predicted_high_mpa: Array
+    pressure_uncertainty_mpa: Array
+    predicted: Array
+    predicted_low: Array
+    predicted_high: Array
+    contraction_uncertainty: Array
+    buckling_load_n: Array
 
 
 class State(Record):
@@ -7732,7 +7730,7 @@ class MuscleNumbers:
         *,
         jac: Literal[False] = False,
         **options: Unpack[Asking],
-    ) -> NDArray[np.float64]: ...
+    ) -> Array: ...
     @overload
     def force(
         self: Any,
@@ -7741,7 +7739,7 @@ class MuscleNumbers:
         *,
         jac: Literal[True] | Sequence[str],
         **options: Unpack[Asking],
-    ) -> tuple[float, NDArray[np.float64]]: ...
+    ) -> tuple[float, Array]: ...
     @overload
     def force(
         self: Any,
@@ -7750,7 +7748,7 @@ class MuscleNumbers:
         *,
         jac: Literal[True] | Sequence[str],
         **options: Unpack[Asking],
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+    ) -> tuple[Array, Array]: ...
     def force(
         self: Any,
         pressure_mpa: Any,
@@ -7823,7 +7821,7 @@ class MuscleNumbers:
         *,
         jac: Literal[False] = False,
         **options: Unpack[Asking],
-    ) -> NDArray[np.float64]: ...
+    ) -> Array: ...
     @overload
     def pressure(
         self: Any,
@@ -7832,7 +7830,7 @@ class MuscleNumbers:
         *,
         jac: Literal[True] | Sequence[str],
         **options: Unpack[Asking],
-    ) -> tuple[float, NDArray[np.float64]]: ...
+    ) -> tuple[float, Array]: ...
     @overload
     def pressure(
         self: Any,
@@ -7841,7 +7839,7 @@ class MuscleNumbers:
         *,
         jac: Literal[True] | Sequence[str],
         **options: Unpack[Asking],
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+    ) -> tuple[Array, Array]: ...
     def pressure(
         self: Any,
         force_n: Any,
@@ -7914,7 +7912,7 @@ class MuscleNumbers:
         *,
         jac: Literal[False] = False,
         **options: Unpack[Asking],
-    ) -> NDArray[np.float64]: ...
+    ) -> Array: ...
     @overload
     def contraction(
         self: Any,
@@ -7923,7 +7921,7 @@ class MuscleNumbers:
         *,
         jac: Literal[True] | Sequence[str],
         **options: Unpack[Asking],
-    ) -> tuple[float, NDArray[np.float64]]: ...
+    ) -> tuple[float, Array]: ...
     @overload
     def contraction(
         self: Any,
@@ -7932,7 +7930,7 @@ class MuscleNumbers:
         *,
         jac: Literal[True] | Sequence[str],
         **options: Unpack[Asking],
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+    ) -> tuple[Array, Array]: ...
     def contraction(
         self: Any,
         force_n: Any,

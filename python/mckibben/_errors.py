@@ -71,6 +71,8 @@ class ExistingFileError(FileError, FileExistsError):
 class NoAnswerError(MckibbenError, ValueError):
     """No answer exists; ``nearest`` is the nearest one there is."""
 
+    kind = "no_answer"
+
 
 class NotConvergedError(MckibbenError, ArithmeticError):
     """The computation did not converge, or was cancelled."""
@@ -121,11 +123,12 @@ def of(values: dict[str, Any]) -> MckibbenError:
     """The exception of a problem, as the compiled half hands it over."""
     # Commands in the words of Python, and the argument that is to blame.
     for name in ("message", "hint"):
-        found = re.sub(
-            r"`(?:mckibben )?parts list (\w+)`", r'`mk.parts("\1")`', values[name]
-        )
-        found = found.replace("`parts list`", "`mk.parts(…)`")
-        values[name] = found.replace("`direction`", "`branch`")
+        for there, here in (
+            (r"`(?:mckibben )?parts list (\w+)`", r'`mk.parts("\1")`'),
+            ("`parts list`", "`mk.parts(…)`"),
+            ("`direction`", "`branch`"),
+        ):
+            values[name] = re.sub(there, here, values[name])
     field: Any = values.get("field")
     values["field"] = ARGUMENTS.get(field, field)
     kind, message = KINDS.get(values["kind"], InputError), values["message"]
@@ -159,15 +162,15 @@ def blamed(field: str | None = None, is_one: bool = False) -> Iterator[None]:
         yield
     except MckibbenError as error:
         error.field = error.field or field
-        error.index = None if is_one else error.index
+        if is_one:
+            error.index = None
         raise
 
 
 def warned(text: str, kind: type[Warning] = UnitWarning) -> None:
     """Warns at the line outside of the package that called it."""
-    level, frame = 2, sys._getframe(1)
-    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith(
-        "mckibben"
-    ):
+    level = 2
+    frame: Any = sys._getframe(1)
+    while frame.f_globals.get("__name__", "").startswith("mckibben"):
         level, frame = level + 1, frame.f_back
     warnings.warn(text, kind, stacklevel=level)

@@ -31,13 +31,11 @@ from ._request import (
     numpy as np,
     place as path,
     plain,
-    put,
     screen,
     table,
 )
 
 if TYPE_CHECKING:
-    import pandas
     from numpy.typing import ArrayLike, NDArray
     from typing_extensions import Self, Unpack
 
@@ -142,15 +140,14 @@ class _File(Fixed):
         """Its tables as plain dicts; under ``files`` the texts of the files that it names, and of those that these name."""
         return {**self._tables(), "files": self._beside()}
 
-    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Writes its file, and beside it the files that it names. Other files that are there are replaced only with ``overwrite``."""
+    def _saved(self, path: Any) -> Any:
         folder = os.path.dirname(path)
         # A muscle of the library has no text.
-        files: Any = {path: self.to_toml()}
+        files = {path: self.to_toml()}
         for name, text in self._beside().items():
             if text:
                 files[os.path.join(folder, name)] = text
-        put(files, overwrite)
+        return files
 
     def _key(self) -> Any:
         return self.to_toml(), tuple(sorted(self._beside().items()))
@@ -309,8 +306,9 @@ class Joint(_api.JointCommands, _File):
         array([7.78, 4.38])
         """
         checked("jac", jac, bool, np.bool_)
-        asked = pressures_mpa, angle_deg, jac, errors, options
-        torque, rates, labelled = self._turned(*asked)
+        torque, rates, labelled = self._turned(
+            pressures_mpa, angle_deg, jac, errors, options
+        )
         rates[..., -1] *= np.pi / 180
         found = labelled("torque_nm", torque)
         return (found, labelled("torque_nm", rates)) if jac else found
@@ -333,8 +331,9 @@ class Joint(_api.JointCommands, _File):
         >>> bool(elbow.stiffness(["3 bar", "1 bar"], 0, model="universal") > 0)
         True
         """
-        asked = pressures_mpa, angle_deg, True, errors, options
-        _, rates, labelled = self._turned(*asked)
+        _, rates, labelled = self._turned(
+            pressures_mpa, angle_deg, True, errors, options
+        )
         return labelled("stiffness_nm_per_rad", -rates[..., -1])
 
     def linearise(
@@ -653,11 +652,7 @@ class Simulation:
         rows = self._native.rows().reshape(-1, len(self._names))
         return dict(zip(self._names, rows.T))
 
-    def to_pandas(self) -> pandas.DataFrame:
-        """The same as a ``pandas.DataFrame``."""
-        import pandas as pd
-
-        return pd.DataFrame(self.to_columns())
+    to_pandas = State.to_pandas
 
     def __repr__(self) -> str:
         kind, count, is_joint = self._native.commands

@@ -33,6 +33,9 @@ class _Asked:
     usual: Sequence[float]
     signed: int | None = 1
     names: Sequence[str] = ()
+    # Values at points (the numbers of the question along their last axis) and one θ; where slopes are wanted with these, along an axis more at the end; with more
+    # options.
+    numbers: Callable[[Array, Array, bool, Mapping[str, Any]], Array]
 
     def __init__(self, muscle: Muscle, given: Mapping[str, Any]) -> None:
         self.options = options = dict(given)
@@ -43,12 +46,6 @@ class _Asked:
         # The axis that the derivatives of an order need: none, values and slopes, or second derivatives row by row.
         width = len(self.usual) + len(self.names)
         self.widths: Any = (), (1 + width,), (width, width)
-
-    def numbers(
-        self, points: Array, theta: Array, slopes: bool, more: Mapping[str, Any]
-    ) -> Array:
-        """Values at points, the numbers of the question along their last axis, with more options; or with an axis more at the end their slopes."""
-        raise NotImplementedError
 
     def second(self, points: Array, theta: Array) -> Array:
         """Second derivatives at one θ: differences of slopes, which closed forms have to their last digits. Slack muscles have none."""
