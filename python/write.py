@@ -18,6 +18,7 @@ import sys
 import textwrap
 from collections.abc import Iterable
 from functools import cache
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -118,8 +119,8 @@ ROWS = {
 }
 # Types of columns, by those of a row's field, or of a list by its name.
 COLUMNS = {
-    "float": "NDArray[np.float64]",
-    "list[float]": "NDArray[np.float64]",
+    "float": "Array",
+    "list[float]": "Array",
     "str": "list[str]",
 }
 # Types of what may be given, by the names of fields.
@@ -151,15 +152,13 @@ HEAD = '''"""Commands and answers of the program. Written by python/write.py fro
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict, overload
+from typing import TYPE_CHECKING, Any, Literal, TypedDict, overload
 
 from . import _record
 from ._record import Record
 from ._request import answered, known, modelled
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
     from typing_extensions import Unpack
 
     from ._muscle import Muscle
@@ -178,14 +177,14 @@ def schemas() -> dict[str, Any]:
 def defined(schema: Schema) -> Schema:
     """A schema, or the definition to which it refers."""
     name = reference(schema)
-    return schema if name is None else schemas()["$defs"][name]
+    return schemas()["$defs"][name] if name else schema
 
 
 def properties(schema: Schema) -> dict[str, Schema]:
     """All fields of an object, those of its variants among them."""
     schema = defined(schema)
     out = dict(schema.get("properties", {}))
-    for option in [*options(schema), *schema.get("allOf", [])]:
+    for option in options(schema):
         for name, field in properties(option).items():
             out.setdefault(name, field)
     return out
@@ -239,7 +238,8 @@ def type_of(schema: Schema, is_answer: bool) -> str:
     if choice := words(schema):
         return f"Literal[{', '.join(map(json.dumps, choice))}]"
     if alternatives := options(schema):
-        return union([type_of(option, is_answer) for option in alternatives])
+        kinds = dict.fromkeys(type_of(option, is_answer) for option in alternatives)
+        return " | ".join(sorted(kinds, key="None".__eq__))
     many, table, number = (
         ("list", "dict", "float") if is_answer else ("Sequence", "Mapping", "Number")
     )
@@ -265,12 +265,9 @@ def muscle() -> dict[str, Schema]:
     return {n: f for n, f in fields.items() if n not in ("file", "tube", "with")}
 
 
-def reference(schema: Schema) -> str | None:
-    return (
-        schema["$ref"].rsplit("/", 1)[-1]
-        if isinstance(schema, dict) and "$ref" in schema
-        else None
-    )
+def reference(schema: Schema) -> str:
+    """The name of the definition to which a schema refers, if to one."""
+    return str((schema or {}).get("$ref", "")).rsplit("/", 1)[-1]
 
 
 def options(schema: Schema) -> list[Schema]:
@@ -291,18 +288,12 @@ def words(schema: Schema) -> list[str]:
     return sum(found, []) if all(found) else []
 
 
-def union(kinds: list[str]) -> str:
-    """One of several types; None is the last."""
-    parts = dict.fromkeys(kinds)
-    return "Any" if "Any" in parts else " | ".join(sorted(parts, key="None".__eq__))
-
-
 def doc(schema: Schema) -> str:
     """The description, as Python has it: Rustdoc's brackets around references and its examples are left out."""
     text = schema.get("description", "")
     text = re.sub(r"```.*?```", "", text, flags=re.DOTALL).strip()
     text = re.sub(r"\\\[([a-z0-9]+)\\\]", r"[\1]", text)
-    text = re.sub(r"\[(`[^`]*`)\](\([^)]*\))?", r"\1", text).replace("\\", "\\\\")
+    text = re.sub(r"\[(`[^`]*`)\](\([^)]*\))?", r"\1", text)
     # A short help text has no full stop.
     text = re.sub(r"(?<![.:;,…])(?<!\.\))(\n\n|$)", r".\1", text) if text else ""
     return " ".join(text.split())
@@ -326,7 +317,6 @@ def wrapped(text: str, indent: str = "") -> str:
         150,
         initial_indent=indent,
         subsequent_indent=indent,
-        break_long_words=False,
     )
 
 
@@ -349,14 +339,12 @@ def class_of(
 
 def parameter(name: str, schema: Schema, how: str = "") -> str:
     """The annotated parameter of a field with its default, but where it must be given."""
-    kind = type_of(schema, False)
-    if name in GIVEN and kind != "bool":
-        kind = GIVEN[name]
+    kind = GIVEN.get(name, type_of(schema, False))
     kind = kind.replace("Sequence[Number]", "Numbers").removesuffix(" | None")
     if how:
         default = "" if how == "!" else f" = {json.dumps(how[1:])}"
     elif kind == "bool":
-        default = f" = {schema.get('default') is True}"
+        default = " = False"
     else:
         default = " | None = None"
     return f"{named(name)}: {kind}{default}"
@@ -375,31 +363,25 @@ def function(command: str, owner: str) -> str:
     fields = {n: fields[n] for n in order if n not in own}
     made = {n: parameter(n, field, first.get(n, "")) for n, field in fields.items()}
     keywords = [made[n] for n in fields if n not in first]
-    listed = dict(fields)
     given = "locals()"
     if reference(fields.get("muscle")) == "MuscleFields":
         keywords.append("**measures: Unpack[Measures]")
-        listed["measures"] = {"description": TEXTS["Measures"]}
+        fields["measures"] = {"description": TEXTS["Measures"]}
         given = '{**locals(), "muscle": {"file": muscle, **known(measures, Measures)}, "measures": None}'
     if reference(properties(held["request"]).get("model")) == "ModelFields":
         given = f'modelled({given}, "{command}")'
     # A curve is drawn when it is wanted.
-    drawn = (
-        ""
-        if figure is None or command == "curve"
-        else ", True"
-        if figure.get("type") == "boolean"
-        else ', "MPa"'
-    )
+    is_drawn = figure and command != "curve"
+    drawn = f", {figure.get('type') == 'boolean' or 'MPa'!r}" if is_drawn else ""
     example = TEXTS[f"{owner}.{name}".strip(".")]
     about = [
         wrapped(doc(held["request"])),
-        section("Parameters", listed),
+        section("Parameters", fields),
         section("Returns", {answer: held["answer"]}),
         TEXTS["Raises"],
         f"Examples\n--------\n>>> import mckibben as mk\n{example}",
     ]
-    parameters = [*(["self"] if owner else []), *(made[n] for n in first)]
+    parameters = ["self"] * bool(owner) + [made[n] for n in first]
     if keywords:
         parameters += ["*", *keywords]
     return block(
@@ -419,11 +401,13 @@ def asked(name: str) -> str:
         rest = " = 0.0" if second == "contraction" else ""
         return f"def {name}(self: Any, {first}: {kind}, {second}: {kind}{rest}, *, jac: {jac}, **options: {options}) -> {answer}"
 
-    array, given = "NDArray[np.float64]", "Unpack[Asking]"
     overloads = [
-        head("Number", "Literal[False] = False", given, "float"),
-        head("Floats", "Literal[False] = False", given, array),
-        head("Floats", "Literal[True] | Sequence[str]", given, f"tuple[Any, {array}]"),
+        head(kind, jac, "Unpack[Asking]", answer.format(pull))
+        for jac, answer in (
+            ("Literal[False] = False", "{}"),
+            ("Literal[True] | Sequence[str]", "tuple[{}, Array]"),
+        )
+        for kind, pull in (("Number", "float"), ("Floats", "Array"))
     ]
     return "\n".join(
         [
@@ -486,7 +470,7 @@ def fields_class() -> str:
 def record(name: str, schema: Schema, rows: str | None) -> str:
     fields, always = properties(schema), required(schema)
     base = f"_record.{BASES[name]}" if name in BASES else "Record"
-    lines = [f"_rows: ClassVar[str | None] = {json.dumps(rows)}"] if rows else []
+    lines = [f"_rows = {json.dumps(rows)}"] if rows else []
     # Those that are always there first, as in any dataclass.
     for field, value in sorted(fields.items(), key=lambda f: f[0] not in always):
         kind = type_of(value, True)
@@ -500,27 +484,11 @@ def record(name: str, schema: Schema, rows: str | None) -> str:
     return class_of(f"{name}({base})", about, lines, fields)
 
 
-def solution() -> str:
-    """What is known of points, each as an array."""
-    fields = {
-        n: f
-        for n, f in properties({"$ref": "#/$defs/Answer"}).items()
-        if type_of(f, True) in ("float", "float | None")
-    }
-    about = (
-        "Points of a muscle as arrays of one shape; NaN where a point does not have it."
-    )
-    lines = (f"{n}: NDArray[np.float64]" for n in fields)
-    return class_of("Solution(_record.Points)", about, lines, fields)
-
-
-def state() -> str:
-    """Where a simulation is."""
-    fields = properties({"$ref": "#/$defs/MotionSeries"})
-    about = "Where a simulation is; None what it is not."
-    # Of a muscle or of a joint: whoever asks knows which it is, and needs no look at None.
-    lines = (f"{n}: float" for n in fields)
-    return class_of("State(Record)", about, lines, fields)
+def numbers(head: str, about: str, kind: str, of: str) -> str:
+    """The numbers of a definition, all of one type."""
+    fields = properties({"$ref": f"#/$defs/{of}"})
+    held = {n: f for n, f in fields.items() if "float" in type_of(f, True)}
+    return class_of(head, about, (f"{n}: {kind}" for n in held), held)
 
 
 def keywords(name: str, about: str, fields: dict[str, Schema]) -> str:
@@ -531,7 +499,6 @@ def keywords(name: str, about: str, fields: dict[str, Schema]) -> str:
 
 def answers() -> dict[str, tuple[Schema, str | None]]:
     """All records, by name: those of commands, and those to which they refer."""
-    asked = [command for names in COMMANDS.values() for command in names]
     out: dict[str, tuple[Schema, str | None]] = {}
 
     def reach(schema: Schema) -> None:
@@ -541,7 +508,7 @@ def answers() -> dict[str, tuple[Schema, str | None]]:
                 out[called] = held, None
                 reach(held)
 
-    for command in asked:
+    for command in chain(*COMMANDS.values()):
         schema = schemas()[command]["answer"]
         reach(schema)
         out[NAMES.get(schema["title"], schema["title"])] = schema, ROWS.get(command)
@@ -563,14 +530,18 @@ def api() -> str:
         'class Asking(Options, total=False):\n    """How a muscle is asked for numbers."""\n    errors: Literal["raise", "nan"]\n    progress: Progress',
         keywords("Measures", TEXTS["Measures"], muscle()),
     ]
-    parts += [solution(), state(), fields_class()]
-    parts.append(
-        class_of(
-            "MuscleNumbers",
-            "Numbers that a muscle is asked for.",
-            map(asked, ASKED),
-        )
+    about = (
+        "Points of a muscle as arrays of one shape; NaN where a point does not have it."
     )
+    known = "Where a simulation is; None what it is not."
+    wanted = "Numbers that a muscle is asked for."
+    parts += [
+        numbers("Solution(_record.Points)", about, COLUMNS["float"], "Answer"),
+        # Of a muscle or of a joint: whoever asks knows which it is, and needs no look at None.
+        numbers("State(Record)", known, "float", "MotionSeries"),
+        fields_class(),
+        class_of("MuscleNumbers", wanted, map(asked, ASKED)),
+    ]
     for owner, commands in COMMANDS.items():
         made_of = [function(command, owner) for command in commands]
         what = "What the program answers of it, by command."

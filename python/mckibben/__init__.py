@@ -18,7 +18,7 @@ Lengths in mm, pressures in MPa (gauge), forces in N, angles in degrees, as ever
 """
 
 # Each name once more: it is public, and help() does not print all of it.
-from . import _native
+from . import _native, answers as answers, jax as jax, units as units
 from ._errors import (
     FileError as FileError,
     InputError as InputError,

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypedDict, overload
+from typing import TYPE_CHECKING, Any, Literal, TypedDict, overload
 
 from . import _record
 from ._record import Record
 from ._request import answered, known, modelled
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
     from typing_extensions import Unpack
 
     from ._muscle import Muscle
@@ -518,7 +516,7 @@ class Build(_record.Files):
         Warnings.
     """
 
-    _rows: ClassVar[str | None] = "parts"
+    _rows = "parts"
     muscle: MuscleSummary
     model: str
     contraction: float
@@ -592,7 +590,7 @@ class Build(_record.Files):
             self, name: Literal["part", "size", "amount", "spare"], /
         ) -> list[str]: ...
         @overload
-        def __getitem__(self, name: Literal["mass_g"], /) -> NDArray[np.float64]: ...
+        def __getitem__(self, name: Literal["mass_g"], /) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -1598,7 +1596,7 @@ class CompareAnswer(Record):
         The figure, if requested.
     """
 
-    _rows: ClassVar[str | None] = "models"
+    _rows = "models"
     reference: str
     points: int
     largest_force_n: float
@@ -1625,7 +1623,7 @@ class CompareAnswer(Record):
                 "mean_volume_mm3",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -1724,7 +1722,7 @@ class Curve(_record.Curves):
         The figure, if requested.
     """
 
-    _rows: ClassVar[str | None] = "points"
+    _rows = "points"
     model: str
     test: Literal["isometric", "isotonic", "isobaric"]
     muscle: MuscleSummary
@@ -1809,7 +1807,7 @@ class Curve(_record.Curves):
                 "wanted_force_n",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -1995,7 +1993,7 @@ class Design(_record.Designed):
         The candidates as muscle files, in their order.
     """
 
-    _rows: ClassVar[str | None] = "candidates"
+    _rows = "candidates"
     model: str
     searched_with: str
     max_pressure_mpa: float
@@ -2056,7 +2054,7 @@ class Design(_record.Designed):
                 "uncertainty_n",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(
             self, name: Literal["rubber", "braid", "model"], /
@@ -2448,7 +2446,7 @@ class Export(_record.Files):
         Warnings.
     """
 
-    _rows: ClassVar[str | None] = "files"
+    _rows = "files"
     target: str
     name: str
     form: ExportForm
@@ -3154,7 +3152,7 @@ class Identification(_record.Identified):
         The figure, if requested.
     """
 
-    _rows: ClassVar[str | None] = "parameters"
+    _rows = "parameters"
     model: str
     data: str
     understood: list[UnderstoodTable]
@@ -3187,7 +3185,7 @@ class Identification(_record.Identified):
                 "prior_standard_deviation",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -3308,7 +3306,7 @@ class JointExport(_record.Files):
         Warnings.
     """
 
-    _rows: ClassVar[str | None] = "files"
+    _rows = "files"
     target: str
     name: str
     hash: str
@@ -3489,7 +3487,7 @@ class JointSolution(_record.Turned):
         The figure, if requested.
     """
 
-    _rows: ClassVar[str | None] = "points"
+    _rows = "points"
     model: str
     muscles: list[MuscleSummary]
     range_deg: tuple[float, float]
@@ -3561,7 +3559,7 @@ class JointSolution(_record.Turned):
                 "pressure_2_uncertainty_mpa",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -4200,7 +4198,7 @@ class MeasuresAnswer(Record):
         All of them, in the order of the fields of requests.
     """
 
-    _rows: ClassVar[str | None] = "measures"
+    _rows = "measures"
     measures: list[MeasureEntry]
     if TYPE_CHECKING:
 
@@ -4211,7 +4209,7 @@ class MeasuresAnswer(Record):
         @overload
         def __getitem__(
             self, name: Literal["above", "minimum", "maximum", "default"], /
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -4416,7 +4414,7 @@ class Motion(Record):
         The figure, if requested.
     """
 
-    _rows: ClassVar[str | None] = "series"
+    _rows = "series"
     model: str
     muscles: list[MuscleSummary]
     series: MotionSeries
@@ -4524,7 +4522,7 @@ class Motion(Record):
                 "command_2",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -4930,7 +4928,7 @@ class PartsListAnswer(Record):
         Force models.
     """
 
-    _rows: ClassVar[str | None] = "tubes sleeves rubbers muscles models"
+    _rows = "tubes sleeves rubbers muscles models"
     tubes: list[TubeSummary]
     sleeves: list[BraidSummary]
     rubbers: list[RubberSummary]
@@ -4953,7 +4951,7 @@ class PartsListAnswer(Record):
                 "pressure_mpa",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -5513,7 +5511,7 @@ class RubberFit(_record.FittedLaws):
         The figure, if requested.
     """
 
-    _rows: ClassVar[str | None] = "laws"
+    _rows = "laws"
     understood: list[UnderstoodTable]
     points: int
     left_out: int
@@ -5549,7 +5547,7 @@ class RubberFit(_record.FittedLaws):
                 "unstable_from_hoop_stretch",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -5977,7 +5975,7 @@ class SimulateAnswer(Record):
         Files for ParaView, if requested: `muscle.pvd`, which lists the others, comes first.
     """
 
-    _rows: ClassVar[str | None] = "points"
+    _rows = "points"
     model: str
     test: Literal["isometric", "isotonic", "isobaric"]
     muscle: MuscleSummary
@@ -6048,7 +6046,7 @@ class SimulateAnswer(Record):
                 "wanted_force_n",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(
             self, name: Literal["predicted_direction", "status", "cause"], /
@@ -6413,7 +6411,7 @@ class StudyAnswer(Record):
         The figure, if requested.
     """
 
-    _rows: ClassVar[str | None] = "points"
+    _rows = "points"
     model: str
     test: str
     findings: list[FindingAnswer]
@@ -6474,7 +6472,7 @@ class StudyAnswer(Record):
                 "wanted_force_n",
             ],
             /,
-        ) -> NDArray[np.float64]: ...
+        ) -> Array: ...
         @overload
         def __getitem__(self, name: str, /) -> Any: ...
         def __getitem__(self, name: str, /) -> Any: ...
@@ -7228,35 +7226,35 @@ class Solution(_record.Points):
         Of a muscle that extends: the push in N at which it buckles between two joints, by the bending stiffness of its wall alone.
     """
 
-    pressure_mpa: NDArray[np.float64]
-    contraction: NDArray[np.float64]
-    force_n: NDArray[np.float64]
-    volume_mm3: NDArray[np.float64]
-    volume_per_pressure_mm3_per_mpa: NDArray[np.float64]
-    volume_per_contraction_mm3: NDArray[np.float64]
-    stiffness_n_per_mm: NDArray[np.float64]
-    force_per_pressure_n_per_mpa: NDArray[np.float64]
-    braid_tension_n: NDArray[np.float64]
-    strand_tension_n: NDArray[np.float64]
-    bulged_diameter_mm: NDArray[np.float64]
-    middle_stretch: NDArray[np.float64]
-    max_stretch: NDArray[np.float64]
-    free_contraction: NDArray[np.float64]
-    start_pressure_mpa: NDArray[np.float64]
-    predicted_n: NDArray[np.float64]
-    predicted_low_n: NDArray[np.float64]
-    predicted_high_n: NDArray[np.float64]
-    mean_n: NDArray[np.float64]
-    uncertainty_n: NDArray[np.float64]
-    predicted_mpa: NDArray[np.float64]
-    predicted_low_mpa: NDArray[np.float64]
-    predicted_high_mpa: NDArray[np.float64]
-    pressure_uncertainty_mpa: NDArray[np.float64]
-    predicted: NDArray[np.float64]
-    predicted_low: NDArray[np.float64]
-    predicted_high: NDArray[np.float64]
-    contraction_uncertainty: NDArray[np.float64]
-    buckling_load_n: NDArray[np.float64]
+    pressure_mpa: Array
+    contraction: Array
+    force_n: Array
+    volume_mm3: Array
+    volume_per_pressure_mm3_per_mpa: Array
+    volume_per_contraction_mm3: Array
+    stiffness_n_per_mm: Array
+    force_per_pressure_n_per_mpa: Array
+    braid_tension_n: Array
+    strand_tension_n: Array
+    bulged_diameter_mm: Array
+    middle_stretch: Array
+    max_stretch: Array
+    free_contraction: Array
+    start_pressure_mpa: Array
+    predicted_n: Array
+    predicted_low_n: Array
+    predicted_high_n: Array
+    mean_n: Array
+    uncertainty_n: Array
+    predicted_mpa: Array
+    predicted_low_mpa: Array
+    predicted_high_mpa: Array
+    pressure_uncertainty_mpa: Array
+    predicted: Array
+    predicted_low: Array
+    predicted_high: Array
+    contraction_uncertainty: Array
+    buckling_load_n: Array
 
 
 class State(Record):
@@ -7729,7 +7727,16 @@ class MuscleNumbers:
         *,
         jac: Literal[False] = False,
         **options: Unpack[Asking],
-    ) -> NDArray[np.float64]: ...
+    ) -> Array: ...
+    @overload
+    def force(
+        self: Any,
+        pressure_mpa: Number,
+        contraction: Number = 0.0,
+        *,
+        jac: Literal[True] | Sequence[str],
+        **options: Unpack[Asking],
+    ) -> tuple[float, Array]: ...
     @overload
     def force(
         self: Any,
@@ -7738,7 +7745,7 @@ class MuscleNumbers:
         *,
         jac: Literal[True] | Sequence[str],
         **options: Unpack[Asking],
-    ) -> tuple[Any, NDArray[np.float64]]: ...
+    ) -> tuple[Array, Array]: ...
     def force(
         self: Any,
         pressure_mpa: Any,
@@ -7811,7 +7818,16 @@ class MuscleNumbers:
         *,
         jac: Literal[False] = False,
         **options: Unpack[Asking],
-    ) -> NDArray[np.float64]: ...
+    ) -> Array: ...
+    @overload
+    def pressure(
+        self: Any,
+        force_n: Number,
+        contraction: Number = 0.0,
+        *,
+        jac: Literal[True] | Sequence[str],
+        **options: Unpack[Asking],
+    ) -> tuple[float, Array]: ...
     @overload
     def pressure(
         self: Any,
@@ -7820,7 +7836,7 @@ class MuscleNumbers:
         *,
         jac: Literal[True] | Sequence[str],
         **options: Unpack[Asking],
-    ) -> tuple[Any, NDArray[np.float64]]: ...
+    ) -> tuple[Array, Array]: ...
     def pressure(
         self: Any,
         force_n: Any,
@@ -7893,7 +7909,16 @@ class MuscleNumbers:
         *,
         jac: Literal[False] = False,
         **options: Unpack[Asking],
-    ) -> NDArray[np.float64]: ...
+    ) -> Array: ...
+    @overload
+    def contraction(
+        self: Any,
+        force_n: Number,
+        pressure_mpa: Number,
+        *,
+        jac: Literal[True] | Sequence[str],
+        **options: Unpack[Asking],
+    ) -> tuple[float, Array]: ...
     @overload
     def contraction(
         self: Any,
@@ -7902,7 +7927,7 @@ class MuscleNumbers:
         *,
         jac: Literal[True] | Sequence[str],
         **options: Unpack[Asking],
-    ) -> tuple[Any, NDArray[np.float64]]: ...
+    ) -> tuple[Array, Array]: ...
     def contraction(
         self: Any,
         force_n: Any,

@@ -41,13 +41,12 @@ class Campaign(_api.CampaignCommands):
         self, output: str | PathLike[str], plan: FileLike | None = None
     ) -> None:
         self.output: str = place("output", output)
-        self.plan: dict[str, str] | None = (
-            dict(plan)
-            if isinstance(plan, Mapping)
-            else None
-            if plan is None
-            else _native.read(plan, "text")
-        )
+        self.plan: Mapping[str, str] | None = None
+        if isinstance(plan, Mapping):
+            self.plan = plan
+        elif plan is not None:
+            with _errors.blamed("plan"):
+                self.plan = _native.read(plan, "text")
 
     @property
     def _parts(self) -> str:

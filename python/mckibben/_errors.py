@@ -71,6 +71,8 @@ class ExistingFileError(FileError, FileExistsError):
 class NoAnswerError(MckibbenError, ValueError):
     """No answer exists; ``nearest`` is the nearest one there is."""
 
+    kind = "no_answer"
+
 
 class NotConvergedError(MckibbenError, ArithmeticError):
     """The computation did not converge, or was cancelled."""
@@ -109,6 +111,7 @@ ARGUMENTS = {
     **dict.fromkeys(("direction", "branches", "both"), "branch"),
     "figure": "units",
     "with": "with_",
+    "bulk_modulus": "bulk_modulus_mpa",
 }
 
 # What keywords make is no file, and is named by what it is; so are tables.
@@ -120,11 +123,12 @@ def of(values: dict[str, Any]) -> MckibbenError:
     """The exception of a problem, as the compiled half hands it over."""
     # Commands in the words of Python, and the argument that is to blame.
     for name in ("message", "hint"):
-        found = re.sub(
-            r"`(?:mckibben )?parts list (\w+)`", r'`mk.parts("\1")`', values[name]
-        )
-        found = found.replace("`parts list`", "`mk.parts(…)`")
-        values[name] = found.replace("`direction`", "`branch`")
+        for there, here in (
+            (r"`(?:mckibben )?parts list (\w+)`", r'`mk.parts("\1")`'),
+            ("`parts list`", "`mk.parts(…)`"),
+            ("`direction`", "`branch`"),
+        ):
+            values[name] = re.sub(there, here, values[name])
     field: Any = values.get("field")
     values["field"] = ARGUMENTS.get(field, field)
     kind, message = KINDS.get(values["kind"], InputError), values["message"]
@@ -135,9 +139,13 @@ def of(values: dict[str, Any]) -> MckibbenError:
         values["field"] = "name" if said[1] == "part" else said[1] or said[2]
     name, _, rest = message.partition(":")
     if name in TABLES or (kind is FileError and name in _TEXTS):
-        kind = InputError
-        values |= {"field": name, "message": rest.strip()}
-        if name in _TEXTS:
+        kind, rest = InputError, rest.strip().replace("tube.material.", "")
+        # Whoever gives a muscle as a text finds the place there.
+        at = re.match(r"[\d:]+ (\w+)\.?(.*)", rest)
+        if at and name != "muscle":
+            name, rest = at[1], at[2].lstrip(" =:")
+        values |= {"field": ARGUMENTS.get(name, name), "message": rest}
+        if name not in TABLES:
             values["kind"] = "usage"
     elif re.search(r"\(os error 2\)|does not exist", message):
         kind = MissingFileError if kind is FileError else kind
@@ -154,15 +162,15 @@ def blamed(field: str | None = None, is_one: bool = False) -> Iterator[None]:
         yield
     except MckibbenError as error:
         error.field = error.field or field
-        error.index = None if is_one else error.index
+        if is_one:
+            error.index = None
         raise
 
 
 def warned(text: str, kind: type[Warning] = UnitWarning) -> None:
     """Warns at the line outside of the package that called it."""
-    level, frame = 2, sys._getframe(1)
-    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith(
-        "mckibben"
-    ):
+    level = 2
+    frame: Any = sys._getframe(1)
+    while frame.f_globals.get("__name__", "").startswith("mckibben"):
         level, frame = level + 1, frame.f_back
     warnings.warn(text, kind, stacklevel=level)

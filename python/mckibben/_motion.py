@@ -9,7 +9,14 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 from . import _api, _native
 from ._api import State
-from ._errors import InputError, WrongTypeError, blamed, checked, wrong_type
+from ._errors import (
+    InputError,
+    MckibbenError,
+    WrongTypeError,
+    blamed,
+    checked,
+    wrong_type,
+)
 from ._muscle import Muscle, masked, unmasked
 from ._request import (
     Fixed,
@@ -24,13 +31,11 @@ from ._request import (
     numpy as np,
     place as path,
     plain,
-    put,
     screen,
     table,
 )
 
 if TYPE_CHECKING:
-    import pandas
     from numpy.typing import ArrayLike, NDArray
     from typing_extensions import Self, Unpack
 
@@ -135,15 +140,14 @@ class _File(Fixed):
         """Its tables as plain dicts; under ``files`` the texts of the files that it names, and of those that these name."""
         return {**self._tables(), "files": self._beside()}
 
-    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Writes its file, and beside it the files that it names. Other files that are there are replaced only with ``overwrite``."""
+    def _saved(self, path: Any) -> Any:
         folder = os.path.dirname(path)
         # A muscle of the library has no text.
-        files: Any = {path: self.to_toml()}
+        files = {path: self.to_toml()}
         for name, text in self._beside().items():
             if text:
                 files[os.path.join(folder, name)] = text
-        put(files, overwrite)
+        return files
 
     def _key(self) -> Any:
         return self.to_toml(), tuple(sorted(self._beside().items()))
@@ -201,10 +205,9 @@ class Joint(_api.JointCommands, _File):
         **tables: Keys | str | None,
     ) -> None:
         made: Any = {"joint": _table("joint", joint), **_tables(tables)}
-        for key in ("radius", "range"):
-            if isinstance(joint.get(key), (int, float, tuple, list)):
-                hint = 'radius_mm=25, or "radius": "25 mm"'
-                raise InputError("has no unit", kind="quantity", field=key, hint=hint)
+        if type(joint.get("radius")) in (int, float):
+            hint = 'radius_mm=25, or "radius": "25 mm"'
+            raise InputError("has no unit", field="radius", hint=hint)
         muscles: Any = {}
         for side, muscle, geometry in (
             (1, muscle_1, geometry_1),
@@ -303,8 +306,9 @@ class Joint(_api.JointCommands, _File):
         array([7.78, 4.38])
         """
         checked("jac", jac, bool, np.bool_)
-        asked = pressures_mpa, angle_deg, jac, errors, options
-        torque, rates, labelled = self._turned(*asked)
+        torque, rates, labelled = self._turned(
+            pressures_mpa, angle_deg, jac, errors, options
+        )
         rates[..., -1] *= np.pi / 180
         found = labelled("torque_nm", torque)
         return (found, labelled("torque_nm", rates)) if jac else found
@@ -327,8 +331,9 @@ class Joint(_api.JointCommands, _File):
         >>> bool(elbow.stiffness(["3 bar", "1 bar"], 0, model="universal") > 0)
         True
         """
-        asked = pressures_mpa, angle_deg, True, errors, options
-        _, rates, labelled = self._turned(*asked)
+        _, rates, labelled = self._turned(
+            pressures_mpa, angle_deg, True, errors, options
+        )
         return labelled("stiffness_nm_per_rad", -rates[..., -1])
 
     def linearise(
@@ -381,11 +386,11 @@ class Joint(_api.JointCommands, _File):
         tables, (_, held) = self._tables(), self._parts
         if muscle_2 is not None and len(held) == 1:
             raise WrongTypeError("the joint has no second muscle", field="muscle_2")
-        files = []
-        for i, (own, given) in enumerate(zip(held, (muscle_1, muscle_2)), 1):
-            name = tables[f"muscle_{i}"]["file"] = f"muscle_{i}.toml"
-            files.append(plain(name, checked(f"muscle_{i}", given or own, Muscle)))
-        return Joint._of(Joint._written(tables, muscles=files))
+        muscles = [given or own for own, given in zip(held, (muscle_1, muscle_2))]
+        for side in range(1, len(held) + 1):
+            geometry = tables.pop(f"muscle_{side}")
+            tables[f"geometry_{side}"] = {**geometry, "file": None}
+        return Joint(*muscles, **tables)
 
 
 class Drive(_api.DriveCommands, _File):
@@ -433,6 +438,12 @@ class Drive(_api.DriveCommands, _File):
             raise InputError("is empty", field="command")
         made = {of._kind: place, **_tables(others), "command": commands}
         self._hold(_held=self._written(made, tables=named, **_moved(of, place)))
+        try:
+            Simulation(self, 1.0, model="ideal")
+        except MckibbenError as error:
+            # Keys that make no drive are an error at once, what it cannot do where it is asked.
+            if error.field in made:
+                raise
 
     def linearise(self, **options: Unpack[_api.Options]) -> Linear:
         """The drive with its air and valves about its rest at the first commands as ẋ = A x + B u, y = C x + D u.
@@ -460,7 +471,7 @@ class Drive(_api.DriveCommands, _File):
         """
         simulation = Simulation(self, 1e-3, **options)
         *numbers, gain = simulation._native.linear()
-        size, count = int(len(numbers) ** 0.5), simulation._commands[1]
+        size, count = int(len(numbers) ** 0.5), simulation._native.commands[1]
         a, b = np.split(np.reshape(numbers, (-1, size)).T, [size], axis=1)
         if count == 2:
             # Each command acts on its own muscle. They were changed against each other; a higher one fills.
@@ -527,7 +538,8 @@ class Simulation:
         if not (dt_s := number("dt_s", dt_s)) > 0.0:
             raise InputError("a step takes some time", field="dt_s")
         if not isinstance(drive, Drive):
-            drive = Drive._of(_native.read(path("drive", drive), "drive"))
+            with blamed("drive"):
+                drive = Drive._of(_native.read(path("drive", drive), "drive"))
         held = drive._held
         asked = fields({**held, **modelled(known(options, _api.Options))})
         self._hold(asked, dt_s, record)
@@ -541,8 +553,6 @@ class Simulation:
     ) -> Simulation:
         self._made = request, dt_s, record
         self._native = native or _native.Simulation(request, dt_s, record)
-        commands = self._native.commands
-        self._commands, self._joint = commands[:2], commands[2]
         self._names = self._native.names
         return self
 
@@ -554,7 +564,7 @@ class Simulation:
     @property
     def commanded(self) -> str:
         """What is commanded: ``pressure`` in MPa, ``opening`` from -1 to 1, ``volume`` of a syringe in mm³, or ``position`` (contraction ratio, or angle in degrees)."""
-        return self._commands[0]
+        return self._native.commands[0]
 
     def step(
         self,
@@ -579,13 +589,13 @@ class Simulation:
         MckibbenError
             The step has no end: a pressure above the supply, a model without an answer.
         """
-        kind, count = self._commands
+        kind, count, is_joint = self._native.commands
         several = isinstance(command, (list, tuple)) or getattr(command, "ndim", 0) == 1
         given: Any = command if several else [command] * count
-        if torque_nm and not self._joint or force_n and self._joint:
+        if force_n if is_joint else torque_nm:
             said = "torque_nm is for a joint, force_n for a muscle"
-            raise WrongTypeError(said, field="force_n" if force_n else "torque_nm")
-        name = "torque_nm" if self._joint else "force_n"
+            raise WrongTypeError(said, field="force_n" if is_joint else "torque_nm")
+        name = "torque_nm" if is_joint else "force_n"
         outside = number(name, torque_nm or force_n)
         unit = _COMMANDS[kind]
         values = [
@@ -642,15 +652,11 @@ class Simulation:
         rows = self._native.rows().reshape(-1, len(self._names))
         return dict(zip(self._names, rows.T))
 
-    def to_pandas(self) -> pandas.DataFrame:
-        """The same as a ``pandas.DataFrame``."""
-        import pandas as pd
-
-        return pd.DataFrame(self.to_columns())
+    to_pandas = State.to_pandas
 
     def __repr__(self) -> str:
-        kind, count = self._commands
-        return f"<Simulation: {'joint' if self._joint else 'muscle'}, {count} {kind} commands, dt_s={self.dt_s:g}, at {self.state.time_s:g} s>"
+        kind, count, is_joint = self._native.commands
+        return f"<Simulation: {'joint' if is_joint else 'muscle'}, {count} {kind} commands, dt_s={self.dt_s:g}, at {self.state.time_s:g} s>"
 
 
 def rollout(
@@ -688,7 +694,7 @@ def rollout(
     >>> ends["contraction"].shape
     (2, 6)
     """
-    kind, count = simulation._commands
+    kind, count, _ = simulation._native.commands
     given = array("commands", commands)
     given = given[..., None] if given.ndim == 2 and count == 1 else given
     if given.ndim != 3 or given.shape[2] != count:

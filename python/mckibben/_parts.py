@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeVar, overload
 from . import _api, _native
 from ._motion import Drive, Joint
 from ._muscle import Muscle
-from ._errors import FileError, InputError, blamed, checked
+from ._errors import FileError, InputError, blamed, checked, wrong_type
 from ._record import Record
 from ._request import Saved, array, arrays, bare, is_nan, numpy as np, place
 
@@ -58,11 +58,12 @@ class Rubber(Saved):
         bulk_modulus_mpa: Number | Literal["incompressible"] | None = None,
         **constants: Plain,
     ) -> None:
-        given = {n: _constant(v) for n, v in constants.items() if v is not None}
+        given = {n: _constant(n, v) for n, v in constants.items() if v is not None}
         material = {"law": checked("law", law, str), **given}
         if bulk_modulus_mpa not in (None, "incompressible"):
-            given["bulk_modulus_mpa"] = bulk = _constant(bulk_modulus_mpa)
-            material["bulk_modulus"] = f"{bulk!r} MPa"
+            bulk = _constant("bulk_modulus_mpa", bulk_modulus_mpa)
+            given["bulk_modulus_mpa"] = bulk
+            material["bulk_modulus"] = f"{bulk} MPa"
         text = _native.toml_text({"tube": {"material": material}})
         # A muscle of nothing else says what is wrong with it.
         native = _native.Muscle({"muscle": {"file": {"name": "rubber", "text": text}}})
@@ -116,7 +117,7 @@ class Rubber(Saved):
         return f"Rubber({', '.join([repr(self.law), *held])})"
 
 
-def _constant(value: Any) -> Any:
+def _constant(name: str, value: Any) -> Any:
     """A constant of a law: a modulus in MPa, a plain number, a word, several of these, or a table of them."""
     if isinstance(value, str):
         try:
@@ -125,12 +126,14 @@ def _constant(value: Any) -> Any:
             # A word, or the text of another quantity: a time, a share.
             return value
     if isinstance(value, Mapping):
-        return {key: _constant(item) for key, item in value.items()}
+        return {key: _constant(key, item) for key, item in value.items()}
     value = bare(
         "ratio" if getattr(value, "dimensionless", False) else "pressure_mpa", value
     )
     if hasattr(value, "__iter__") and getattr(value, "shape", None) != ():
-        return [_constant(item) for item in value]
+        return [_constant(name, item) for item in value]
+    if not hasattr(value, "__float__"):
+        raise wrong_type(name, "a number or text", value)
     return value if isinstance(value, bool) else float(value)
 
 
@@ -218,7 +221,8 @@ class Formula(Saved):
             ("wall_mm", wall_mm),
             ("outer_diameter_mm", outer_diameter_mm),
         )
-        points = np.stack(np.broadcast_arrays(*given), axis=-1)
+        held = (np.ma.filled(values, np.nan) for values in given)
+        points = np.stack(np.broadcast_arrays(*held), axis=-1)
         out = np.empty(points.shape[:-1])
         how = extrapolate, two_sided, is_nan(errors)
         with blamed(is_one=out.ndim == 0):
@@ -276,23 +280,24 @@ def load(path: str | os.PathLike[str], kind: type[Any] = object) -> Any:
     300.0
     """
     is_named = place("path", path).lower().startswith("lib:")
-    held = _native.read(path, "muscle" if is_named else "table")
-    text = held["text"]
-    found: Any
-    if text.lstrip().startswith("{"):
-        try:
-            answer = json.loads(text)
-            made: type[Record] = getattr(_api, answer.get("mckibben", ""), Record)
-            found = Formula(text) if made is Record else made._load(answer)
-        except (KeyError, json.JSONDecodeError) as error:
-            raise FileError(f"{path}: not what was saved: {error}") from None
-    elif text.startswith("[tube.material]"):
-        # A muscle that was saved begins with a comment.
-        found = Rubber.from_toml(text)
-    else:
-        tables = _native.toml(held["name"], text)
-        of = Drive if "command" in tables else Joint if "joint" in tables else None
-        found = of._of(_native.read(path, of._kind)) if of else Muscle._of(held)
+    with blamed("path"):
+        held = _native.read(path, "muscle" if is_named else "table")
+        text = held["text"]
+        found: Any
+        if text.lstrip().startswith("{"):
+            try:
+                answer = json.loads(text)
+                made: type[Record] = getattr(_api, answer.get("mckibben", ""), Record)
+                found = Formula(text) if made is Record else made._load(answer)
+            except (KeyError, json.JSONDecodeError) as error:
+                raise FileError(f"{path}: not what was saved: {error}") from None
+        elif text.startswith("[tube.material]"):
+            # A muscle that was saved begins with a comment.
+            found = Rubber.from_toml(text)
+        else:
+            tables = _native.toml(held["name"], text)
+            of = Drive if "command" in tables else Joint if "joint" in tables else None
+            found = of._of(_native.read(path, of._kind)) if of else Muscle._of(held)
     if not isinstance(found, kind):
         said = f"{path} holds a {type(found).__name__}, not a {kind.__name__}"
         raise FileError(said, field="kind")

@@ -111,16 +111,15 @@ class Record(Fixed):
     def __getitem__(self, name: str, /) -> Any:
         return self.to_columns()[name]
 
-    def to_pandas(self) -> pandas.DataFrame:
+    def to_pandas(self: Any) -> pandas.DataFrame:
         """Its table as a ``pandas.DataFrame``."""
         import pandas as pd
 
         return pd.DataFrame(self.to_columns())
 
-    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Writes it as JSON, from which :func:`load` reads the same again. Another file that is there is replaced only with ``overwrite``."""
+    def _saved(self, path: Any) -> Any:
         held = {"mckibben": type(self).__name__, **self._state()}
-        put({path: json.dumps(held, ensure_ascii=False)}, overwrite)
+        return {path: json.dumps(held, ensure_ascii=False)}
 
     def _state(self) -> dict[str, Any]:
         data, figure = self.to_dict(), getattr(self, "figure", None)
@@ -236,7 +235,7 @@ def drawn(figure: dict[str, Any], ax: Any) -> Any:
     is_one = len(panels) == 1
     axes = list(np.ravel(ax))
     if ax is None:
-        columns = max(1, min(figure.get("columns") or 1, len(panels)))
+        columns = min(figure.get("columns") or 1, len(panels))
         rows = -(-len(panels) // columns)
         made, grid = plt.subplots(
             rows,
@@ -252,10 +251,7 @@ def drawn(figure: dict[str, Any], ax: Any) -> Any:
     if len(axes) < len(panels):
         raise ValueError(f"{len(panels)} panels need as many axes")
     for panel, axis in zip(panels, axes):
-        numbers = [
-            i if s.get("colour") is None else s["colour"]
-            for i, s in enumerate(panel["series"])
-        ]
+        numbers = [s.get("colour", i) for i, s in enumerate(panel["series"])]
         ramp = (
             LinearSegmentedColormap.from_list("ramp", _RAMP, max(numbers) + 1)
             if figure.get("palette") == "sequential"
@@ -318,10 +314,10 @@ class Points(Record):
         return {
             name: values
             for name, values in self._fields().items()
-            if name not in ("model", "warnings")
+            if hasattr(values, "dtype")
             and (
                 values.dtype.kind != "f"
-                or not (values != values).all()
+                or not np.isnan(values).all()
                 or not values.size
             )
         }
@@ -396,8 +392,8 @@ class Turned(Record):
 
     def grid(self: Any, column: str) -> Array:
         """A column with one row for each set of pressures."""
-        angles = len(set(self["angle_deg"]))
-        return np.array(self[column], np.float64).reshape(-1, angles)
+        held = np.array(self[column], np.float64)
+        return held.reshape(-1, len(set(self["angle_deg"])))
 
     def to_xarray(self) -> xarray.Dataset:
         """A Dataset over sets of pressures (``case``) and angles, with the units as attributes."""
@@ -493,9 +489,7 @@ class FittedLaws(Record):
 
         name = law or self.recommended
         if name is None:
-            raise NoAnswerError(
-                "no law is stable in a muscle", kind="no_answer", hint="name one"
-            )
+            raise NoAnswerError("no law is stable in a muscle", hint="name one")
         found = next((of for of in self.laws if name in (of.name, of.law)), None)
         if found is None:
             raise KeyError(name)
@@ -522,21 +516,19 @@ class Designed(Record):
     @property
     def best(self: Any) -> Muscle:
         """The first of them."""
-        bundle, muscles = self.bundle, self.muscles
+        bundle = self.bundle
+        muscles: list[Muscle] = self.muscles
         if bundle and not self._asked[1].get("count"):
             raise NoAnswerError(
                 f"one muscle is not enough: {bundle.muscles} side by side are",
-                kind="no_answer",
                 hint="count=… allows a bundle",
             )
         if not muscles:
             raise NoAnswerError(
                 "no muscle fits",
-                kind="no_answer",
                 hint="`closest` and `rejected` say why",
             )
-        found: Muscle = muscles[0]
-        return found
+        return muscles[0]
 
     def __str__(self: Any) -> str:
         return "\n".join(self.decision or []) or repr(self)
@@ -553,14 +545,14 @@ class Files(Record):
         from pathlib import Path
 
         place = Path(folder)
-        contents: dict[str | os.PathLike[str], str | bytes] = {
+        contents: dict[Path, str | bytes] = {
             place / f.name: b64decode(f.base64) if f.base64 is not None else str(f.text)
             for f in self.files
         }
         for path in contents:
             Path(path).parent.mkdir(parents=True, exist_ok=True)
         put(contents, overwrite)
-        return Path(next(iter(contents)))
+        return next(iter(contents))
 
 
 class Shaped(Record):

@@ -13,7 +13,9 @@ from . import _native
 from ._errors import (
     TABLES,
     ExistingFileError,
+    MckibbenError,
     InputError,
+    blamed,
     checked,
     warned,
     wrong_type,
@@ -72,8 +74,8 @@ else:
 
     np = numpy = _NumPy()
 
-# Fields of a model by their arguments, and those that a design searches through.
-MODEL = {"model": "name", "mesh": "mesh", "match": "match", "terminal": "terminal"}
+# Arguments of a model beside its name, and those that a design searches through.
+MODEL = ("mesh", "match", "terminal")
 _NUMBERS = "numbers, a text with its unit or quantities of pint"
 CHOICES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "radius_mm")
 
@@ -87,6 +89,13 @@ class Fixed:
 
     def _key(self) -> Any:
         raise NotImplementedError
+
+    def _saved(self, path: Any) -> Any:
+        return {path: self._key()}
+
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+        """Writes its file, and beside it those that it names, from which :func:`load` reads it again. Other files that are there are replaced only with ``overwrite``."""
+        put(self._saved(path), overwrite)
 
     def __eq__(self, other: Any) -> bool:
         return type(self) is type(other) and bool(self._key() == other._key())
@@ -104,10 +113,6 @@ class Fixed:
 class Saved(Fixed):
     """An object whose key is the text of its file."""
 
-    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Writes its file, from which :func:`load` reads it again. Another file that is there is replaced only with ``overwrite``."""
-        put({path: self._key()}, overwrite)
-
     def __reduce__(self: Any) -> tuple[Any, ...]:
         return type(self).from_toml, (self._key(),)
 
@@ -124,14 +129,12 @@ def bare(name: str, value: Any) -> Any:
         return value * _native.quantity(name, f"1 {unit}")
     if not (hasattr(value, "magnitude") and hasattr(value, "to")):
         return value
+    unit = unit_for_pint(name)
     try:
-        return value.to(unit_for_pint(name)).magnitude
+        return value.to(unit).magnitude
     except Exception as error:
-        raise InputError(
-            f"{value} is not in {unit_for_pint(name)}: {error}",
-            kind="quantity",
-            field=name,
-        ) from None
+        said = f"{value} is not in {unit}: {error}"
+        raise InputError(said, kind="quantity", field=name) from None
 
 
 def plain(name: str, value: Any) -> Any:
@@ -185,12 +188,8 @@ def array(name: str, value: Any) -> Array:
     """Numbers in the unit of a name, without a copy where they are such already; masked ones stay masked."""
     if isinstance(value, str):
         several = ".." in value or "," in value
-        return np.asarray(
-            _native.quantities(name, value)
-            if several
-            else _native.quantity(name, value),
-            dtype=np.float64,
-        )
+        read: Any = _native.quantities if several else _native.quantity
+        return np.asarray(read(name, value), np.float64)
     own, value = value, bare(name, value)
     if hasattr(value, "is_symbolic"):
         raise wrong_type(name, _NUMBERS, value)
@@ -198,9 +197,9 @@ def array(name: str, value: Any) -> Array:
     kind = getattr(getattr(value, "dtype", None), "kind", None)
     items = value.tolist() if kind in ("O", "U") else value
     if isinstance(items, (list, tuple)) and any(
-        isinstance(v, str) or hasattr(v, "magnitude") for v in items
+        v is None or isinstance(v, str) or hasattr(v, "magnitude") for v in items
     ):
-        value = [number(name, item) for item in items]
+        value = [np.nan if item is None else number(name, item) for item in items]
     given: Any = (np.asanyarray if np.ma.isMA(value) else np.asarray)(value)
     if given.dtype.kind not in "fiu":
         raise wrong_type(name, _NUMBERS, value)
@@ -310,7 +309,17 @@ def answered(
     own = me._files(command) if me else {}
     request = _native.given(command, fields({**own, **given}))
     drawn = {} if figure is None else {"figure": figure}
-    found = _native.ask(command, {**request, **drawn}, progress)
+    try:
+        found = _native.ask(command, {**request, **drawn}, progress)
+    except MckibbenError as error:
+        # A name in quotes is one that was given.
+        quoted = re.split('["`]', error.message)[1:2]
+        for name, value in given.items():
+            if isinstance(value, (list, tuple)) and any(
+                str(v) in quoted for v in value
+            ):
+                error.field = error.field or name
+        raise
     return kind._read(found, (command, request))
 
 
@@ -324,12 +333,8 @@ def fields(given: Mapping[str, Any]) -> dict[str, Any]:
         if name in TABLES and not isinstance(value, (bool, int)):
             items = value if isinstance(value, (list, tuple)) else [value]
             # The program takes one for a list of one.
-            held = [
-                plain(name, item)
-                if isinstance(item, (str, os.PathLike))
-                else table(item, name)
-                for item in items
-            ]
+            with blamed(name):
+                held = [table(item, name) for item in items]
             out[name] = held[0] if len(held) == 1 else held
         elif name in CHOICES and isinstance(value, tuple) and len(value) == 2:
             out[name] = dict(zip(("low", "high"), plain(name, value)))
@@ -341,7 +346,8 @@ def fields(given: Mapping[str, Any]) -> dict[str, Any]:
 def modelled(given: Mapping[str, Any], command: str = "force") -> dict[str, Any]:
     """Arguments, those of the model as the one object that the request of a command has, and the branch under its field."""
     out = dict(given)
-    model = {field: out.pop(name, None) for name, field in MODEL.items()}
+    model = {name: out.pop(name, None) for name in MODEL}
+    model["name"] = out.pop("model", None)
     branch = out.pop("branch", None)
     by = "branches" if command == "identify" else "direction"
     if (command, branch) == ("curve", "both"):
@@ -351,10 +357,11 @@ def modelled(given: Mapping[str, Any], command: str = "force") -> dict[str, Any]
 
 def known(given: Mapping[str, Any], kind: Any) -> Mapping[str, Any]:
     """Keywords, of which each is one of a class of keywords."""
-    if unknown := [name for name in given if name not in kind.__annotations__]:
-        raise TypeError(
-            f"unexpected keyword argument {unknown[0]!r}; there is {', '.join(kind.__annotations__)}"
-        )
+    there = kind.__annotations__
+    for name in given:
+        if name not in there:
+            said = f"unexpected keyword argument {name!r}; there is {', '.join(there)}"
+            raise TypeError(said)
     return given
 
 
@@ -387,9 +394,7 @@ def place(name: str, path: Any) -> Any:
     return os.fspath(checked(name, path, str, os.PathLike))
 
 
-def put(
-    files: Mapping[str | os.PathLike[str], str | bytes], overwrite: bool = False
-) -> None:
+def put(files: Mapping[Any, str | bytes], overwrite: bool = False) -> None:
     """Puts files at their places, each whole or not at all, and none where another file would be lost: one that is neither empty nor the same."""
     contents = {
         place("path", path): content.encode() if isinstance(content, str) else content
@@ -398,14 +403,12 @@ def put(
     for path, content in contents.items():
         is_other = not overwrite and os.path.isfile(path)
         if is_other and Path(path).read_bytes() not in (b"", content):
-            raise ExistingFileError(
-                f"{path} is another file and would be overwritten",
-                kind="output",
-                field="path",
-                hint="or overwrite=True",
-            )
+            said = f"{path} is another file and would be overwritten"
+            hint = "or overwrite=True"
+            raise ExistingFileError(said, kind="output", field="path", hint=hint)
     for path, content in contents.items():
-        _native.write_file(path, content)
+        with blamed("path"):
+            _native.write_file(path, content)
 
 
 def table(value: Any, name: str = "data") -> dict[str, str]:

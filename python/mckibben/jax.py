@@ -5,16 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-import jax
-import jax.numpy as jnp
-import numpy as np
-
 from ._errors import InputError, MckibbenError
 from ._motion import Joint
 from ._muscle import MEASURES, filled
-from ._request import fields, is_nan, modelled
+from ._request import fields, is_nan, modelled, numpy as np
 
 if TYPE_CHECKING:
+    import jax
     from typing_extensions import Unpack
 
     from ._api import Asking
@@ -22,8 +19,8 @@ if TYPE_CHECKING:
     from ._request import Array
 
 # Places and weights of differences of fourth order, about a point and from a point on.
-_PLACES = np.array([[-2, 0], [-1, 1], [0, 2], [1, 3], [2, 4]])
-_WEIGHTS = np.array([[1, -25], [-8, 48], [0, -36], [8, 16], [-1, -3]]) / 12
+_PLACES = (-2, 0), (-1, 1), (0, 2), (1, 3), (2, 4)
+_WEIGHTS = (1, -25), (-8, 48), (0, -36), (8, 16), (-1, -3)
 # Steps of differences are this share of a value, or of what is usual where that is less.
 _STEP = 1e-3
 _USUAL = {"force": (0.1, 0.2), "pressure": (100.0, 0.2), "contraction": (100.0, 0.1)}
@@ -36,6 +33,9 @@ class _Asked:
     usual: Sequence[float]
     signed: int | None = 1
     names: Sequence[str] = ()
+    # Values at points (the numbers of the question along their last axis) and one θ; where slopes are wanted with these, along an axis more at the end; with more
+    # options.
+    numbers: Callable[[Array, Array, bool, Mapping[str, Any]], Array]
 
     def __init__(self, muscle: Muscle, given: Mapping[str, Any]) -> None:
         self.options = options = dict(given)
@@ -46,12 +46,6 @@ class _Asked:
         # The axis that the derivatives of an order need: none, values and slopes, or second derivatives row by row.
         width = len(self.usual) + len(self.names)
         self.widths: Any = (), (1 + width,), (width, width)
-
-    def numbers(
-        self, points: Array, theta: Array, slopes: bool, more: Mapping[str, Any]
-    ) -> Array:
-        """Values at points, the numbers of the question along their last axis, with more options; or with an axis more at the end their slopes."""
-        raise NotImplementedError
 
     def second(self, points: Array, theta: Array) -> Array:
         """Second derivatives at one θ: differences of slopes, which closed forms have to their last digits. Slack muscles have none."""
@@ -68,7 +62,9 @@ class _Asked:
                 moved = points.copy(), theta.copy()
                 moved[i >= count][..., i - count] += np.where(about, *at) * h
                 slopes = self.numbers(*moved, True, beyond)
-                row = row + (np.where(about, *by) / h)[..., None] * slopes[..., 1:]
+                row = (
+                    row + (np.where(about, *by) / (12 * h))[..., None] * slopes[..., 1:]
+                )
             rows.append(row)
         out = np.stack(rows, axis=-1)
         # What is equal differs by rounding alone.
@@ -222,6 +218,10 @@ def torque(joint: Joint, **options: Unpack[Asking]) -> Callable[..., jax.Array]:
 
 
 def _function(asked: _Asked) -> Callable[..., jax.Array]:
+    # It takes its time, and need not be there.
+    import jax
+    import jax.numpy as jnp
+
     count = len(asked.usual)
 
     def of_order(order: int) -> jax.custom_jvp[Any]:

@@ -230,6 +230,25 @@ def test_wrong_shapes_sizes_and_names_are_refused(thin: mk.Muscle) -> None:
         thin.force(np.zeros((1 << 24, 1)), np.zeros(1 << 24), model="ideal")
 
 
+def test_what_is_missing_is_answered_as_missing(thin: mk.Muscle) -> None:
+    """NaN, None and what is masked, of pulls and of whole points, unless it is to raise."""
+    gaps: list[Any] = [
+        [0.1, np.nan],
+        [0.1, None],
+        ["1 bar", None],
+        np.ma.masked_array([0.1, 0.1], mask=[False, True]),
+    ]
+    for p in gaps:
+        pull = thin.force(p, 0.1, model="ideal", errors="nan")
+        points = thin.solve(p, 0.1, model="ideal", errors="nan")
+        for found in (pull, points.force_n):
+            assert np.isnan(np.ma.filled(found, np.nan)).tolist() == [False, True]
+        assert points.status[0] == "ok" != points.status[1]
+        with pytest.raises(mk.InputError) as caught:
+            thin.solve(p, 0.1, model="ideal")
+        assert caught.value.field == "pressure_mpa" and caught.value.index == 1
+
+
 def test_masks_are_honoured(thin: mk.Muscle) -> None:
     """What is masked is not asked for, even where its number is none; all others are what they are without a mask."""
     p = np.ma.masked_array([0.1, np.nan, 0.2, 9.9], mask=[False, True, False, True])

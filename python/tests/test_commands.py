@@ -747,11 +747,11 @@ def test_what_is_no_value_is_an_input_error_with_its_field(
         root / "examples/elbow-drive.toml", 0.01, model="universal"
     )
     rubber = mk.Rubber("neo-hookean", mu=0.1)
+    bench = {"pressure_mpa": 0.2, "contraction": [0.0, 0.1], "force_n": [300, 200]}
     calls: dict[str, list[Callable[[], Any]]] = {
         "pressure_mpa": [
             lambda: muscle.force(number, 0.1),
             lambda: muscle.force(none, 0.1),
-            lambda: muscle.force([none, 0.1], 0.1),
             lambda: muscle.force(float("nan"), 0.1),
             lambda: muscle.shape(none),
         ],
@@ -772,6 +772,11 @@ def test_what_is_no_value_is_an_input_error_with_its_field(
             lambda: mk.Joint(muscle, joint=none),
             lambda: massless.linearise([0.2], 0),
         ],
+        "valve": [lambda: mk.Drive(muscle, valve="nope", command={"until_s": 1})],
+        "load": [lambda: mk.Drive(muscle, load={"mas_kg": 1}, command={"until_s": 1})],
+        "link": [lambda: mk.Joint(muscle, joint={"radius_mm": 25}, link={"mas_kg": 1})],
+        "rubbers": [lambda: mk.design(force_n=9, contraction=0.1, rubbers=["nope"])],
+        "free": [lambda: mk.identify(muscle, bench, free=["nope"])],
         "of": [lambda: mk.Drive(of, command={"pressure_mpa": 0.1})],
         "start": [lambda: mk.Drive(muscle, start=several, command={"until_s": 1})],
         "command": [
@@ -794,7 +799,10 @@ def test_what_is_no_value_is_an_input_error_with_its_field(
             lambda: elbow.torque(0.1, 0),  # type: ignore[arg-type]
             lambda: elbow.torque([[0.1, 0.2], 0.1], [0, 1, 2]),
         ],
-        "values": [lambda: muscle.with_parameters(none)],
+        "values": [
+            lambda: muscle.with_parameters(none),
+            lambda: muscle.with_parameters({"nope": 1}),
+        ],
         "tube.length": [lambda: muscle.with_parameters({"tube.length": of})],
         "law": [lambda: mk.Rubber(none, c10=0.1), lambda: mk.Rubber(number, c10=0.1)],
         "mode": [lambda: rubber.stress(of, [1.1])],
