@@ -117,8 +117,7 @@ fn points_of(
 
 impl Held {
     pub fn new(assessed: &mut Assessed<'_>, job: Job, precision: Precision) -> Result<Self> {
-        let spec = assessed.spec;
-        let muscle = assessed.muscle;
+        let (spec, muscle) = (assessed.spec, assessed.muscle);
         let wanted = spec.wanted.on_radius(job.radius_mm);
         let whole = wanted.points(muscle.length_mm());
         assessed.keep_strands(&whole)?;
