@@ -93,11 +93,8 @@ impl Predictor {
         } else {
             (!muscle.has_own_points()).then_some(experience.length)
         };
-        // Another specimen is known no worse than a muscle that nobody measured.
         for (i, deviation) in scatter.into_iter().flatten().enumerate() {
-            let own = covariance[i][i];
-            let unmeasured = prior.deviation[i] * prior.deviation[i];
-            covariance[i][i] = (own + deviation * deviation).min(unmeasured.max(own));
+            covariance[i][i] += deviation * deviation;
         }
         let mut out = Self::about(muscle, centre, covariance)?;
         out.is_identified = true;
