@@ -101,7 +101,10 @@ impl<'a> Asked<'a> {
     /// Of the line with which the block begins, such as `text from=allowed lines=6 last=2 exit=2`.
     fn of(fence: &'a str) -> Self {
         let option = |key: &str| {
-            let word = fence.split(' ').find_map(|word| word.strip_prefix(key));
+            // rustdoc, which reads README.md, knows no `=` there.
+            let colon = key.replace('=', ":");
+            let of = |word: &'a str| word.strip_prefix(key).or(word.strip_prefix(&colon));
+            let word = fence.split(' ').find_map(of);
             word.map(|number| number.parse::<u16>().unwrap())
         };
         let lines = option("lines=").map_or(LINES, usize::from);
