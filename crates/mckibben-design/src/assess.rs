@@ -177,7 +177,7 @@ impl<'a> Assessed<'a> {
 
     /// The pressure in MPa below which a share of all muscles meets every point of one.
     pub fn needed_mpa(&mut self, wanted: &[OperatingPoint], share: f64) -> Option<f64> {
-        let z = normal_deviations(share.max(5e-5));
+        let z = normal_deviations(share);
         let mut needs_mpa = 0.0_f64;
         for q in wanted {
             needs_mpa = needs_mpa.max(self.need_mpa(q, Some(z)).ok()?);

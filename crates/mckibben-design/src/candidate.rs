@@ -127,7 +127,7 @@ impl Candidate {
             points.push(point_of(assessed, *q)?);
         }
         let [pressure_low_mpa, pressure_high_mpa] =
-            NINE_OF_TEN.map(|share| assessed.needed_mpa(&wanted, share * held.chance?));
+            NINE_OF_TEN.map(|share| assessed.needed_mpa(&wanted, share * held.chance?.max(1e-3)));
         let max_mpa = assessed.highest_mpa;
         let blocked_force_n = assessed.pull(max_mpa, 0.0)?.held_n;
         let free = assessed.evaluation().free_contraction(max_mpa).ok();

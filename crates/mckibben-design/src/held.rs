@@ -273,7 +273,7 @@ fn ends_proved(
     sure_mpa: f64,
 ) -> Ends {
     let z = assessed.spec.deviations();
-    let [_, high] = NINE_OF_TEN.map(|share| Some(normal_deviations(share * chance?)));
+    let high = chance.map(|chance| normal_deviations(NINE_OF_TEN[1] * chance));
     // In proportion to the pull, which is too much: some pressure only takes up slack.
     let more = |(force_n, pull): &(f64, Pull)| {
         let [sure_n, high_n] = [z, high].map(|z| pull.quantile_n(z, force_n.signum()));
