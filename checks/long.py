@@ -116,7 +116,7 @@ PARTS = {
         "all crates of the page for the browser",
         [*MANIFESTS, r"crates/mckibben-wasm/.*", r"checks/wasm\.sh"],
         None,
-        ["bash checks/wasm.sh"],
+        ["bash checks/wasm.sh smoke", "bash checks/wasm.sh"],
     ),
     "exports": (
         "exported muscles in their hosts: compilers, emulated microcontrollers, MuJoCo, FMPy, Wine, JAX",

@@ -61,7 +61,8 @@ impl Model {
     pub fn all() -> Vec<ModelEntry> {
         let closed = ModelKind::ALL.into_iter().map(ModelKind::entry);
         #[cfg(feature = "fem")]
-        closed.chain(Elements::ENTRIES).collect()
+        let closed = closed.chain(Elements::ENTRIES);
+        closed.collect()
     }
 
     /// Whether a word is the name of a model already.
