@@ -59,10 +59,10 @@ impl Model {
 
     /// Names, descriptions and sources of all that have a name.
     pub fn all() -> Vec<ModelEntry> {
-        let closed = ModelKind::ALL.into_iter().map(ModelKind::entry);
+        let all = ModelKind::ALL.into_iter().map(ModelKind::entry);
         #[cfg(feature = "fem")]
-        let closed = closed.chain(Elements::ENTRIES);
-        closed.collect()
+        let all = all.chain(Elements::ENTRIES);
+        all.collect()
     }
 
     /// Whether a word is the name of a model already.
@@ -94,11 +94,11 @@ impl Model {
 
     /// Whether a point takes finite elements, and so some thousand times as long as a formula.
     pub fn is_elements(&self) -> bool {
-        #[cfg(feature = "fem")]
-        if matches!(self, Self::Elements(_)) {
-            return true;
+        match self {
+            #[cfg(feature = "fem")]
+            Self::Elements(_) => true,
+            _ => false,
         }
-        false
     }
 
     /// Sections, pressures and contractions that it was made for, where it is bound to some.

@@ -40,14 +40,13 @@ impl Deciding {
 
     /// Does something with the models of a search.
     pub fn with_models<T>(&self, work: impl FnOnce(Models<'_>) -> T) -> T {
-        let look = |m: &Muscle| self.look(m);
         let decide = |m: &Muscle| self.model.bound(m);
         let settle = self
             .quick
             .as_ref()
             .map(|quick| (&decide as &Build<'_>, quick.1));
         work(Models {
-            screen: &look,
+            screen: &|muscle| self.look(muscle),
             settle,
         })
     }
