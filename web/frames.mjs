@@ -69,9 +69,12 @@ const strand = 90,
     return (
       `<path class="thin" d="M${x} ${foot}h${wide.toFixed(1)}v${(-tall).toFixed(1)}h${(-wide).toFixed(1)}z"/>` +
       `<path class="line" d="M${x} ${foot}l${wide.toFixed(1)} ${(-tall).toFixed(1)}"/>` +
-      text(x, foot + 10, "around: π × diameter") +
-      text(x - 5, foot, "along: length", ` transform="rotate(-90 ${x - 5} ${foot})"`) +
-      text(x, 14, `${angle}° to the axis`)
+      `<path class="thin" d="M${x} ${foot - 22}A22 22 0 0 1 ${(x + 22 * Math.sin(a)).toFixed(1)} ${(foot - 22 * Math.cos(a)).toFixed(1)}"/>` +
+      text(x + 3, foot - 26, "θ") +
+      text(x + wide / 2 + 4, foot - tall / 2 + 6, "B/n") +
+      text(x, foot + 10, "around: π D") +
+      text(x - 5, foot, k ? "along: L/n" : "along: L0/n", ` transform="rotate(-90 ${x - 5} ${foot})"`) +
+      text(x, 14, `θ = ${angle}°${k ? "" : ", at rest: θ0"}`)
     );
   });
 drawing("how-it-pulls-strand", 345, 130, turns.join(""));
