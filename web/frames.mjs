@@ -73,7 +73,12 @@ const strand = 90,
       text(x + 3, foot - 26, "θ") +
       text(x + wide / 2 + 4, foot - tall / 2 + 6, "B/n") +
       text(x, foot + 10, "around: π D") +
-      text(x - 5, foot, k ? "along: L/n" : "along: L0/n", ` transform="rotate(-90 ${x - 5} ${foot})"`) +
+      text(
+        x - 5,
+        foot,
+        k ? "along: L/n" : "along: L0/n",
+        ` transform="rotate(-90 ${x - 5} ${foot})"`,
+      ) +
       text(x, 14, `θ = ${angle}°${k ? "" : ", at rest: θ0"}`)
     );
   });
