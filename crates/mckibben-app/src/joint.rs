@@ -121,6 +121,9 @@ pub struct JointRequest {
 
 /// Pressure of the supply where none is said, MPa.
 const SUPPLY_MPA: f64 = 0.6;
+/// Share of a torque within which built muscles give it, and how often it is asked for.
+const NEAR: f64 = 1e-4;
+const MOST_ROUNDS: usize = 30;
 /// Memory of a point of a map, bytes.
 const MAP_POINT_BYTES: f64 = 500.0;
 
@@ -302,6 +305,34 @@ impl Solver<'_> {
         }
     }
 
+    /// The pressures at which built muscles give a torque, where that is known: their model is asked
+    /// for as much more as they give less.
+    fn built_point(&mut self, wanted: JointTarget, max_mpa: f64) -> Result<JointPoint, JointError> {
+        let mut point = self
+            .model
+            .pressures(&mut self.workspaces, wanted, max_mpa)?;
+        let mut asked = wanted;
+        for _ in 0..MOST_ROUNDS {
+            let miss_nm = wanted.torque_nm - point.predicted_nm.unwrap_or(wanted.torque_nm);
+            if miss_nm.abs() <= NEAR * wanted.torque_nm.abs() {
+                break;
+            }
+            asked.torque_nm += miss_nm;
+            let found = self.model.pressures(&mut self.workspaces, asked, max_mpa);
+            point = found.map_err(|error| match error {
+                JointError::OutOfReach { most, message } => JointError::OutOfReach {
+                    most,
+                    message: format!(
+                        "built muscles give {} N m where their model gives {:.4}: {message}",
+                        wanted.torque_nm, asked.torque_nm
+                    ),
+                },
+                other => other,
+            })?;
+        }
+        Ok(point)
+    }
+
     /// The pressures of a torque and a stiffness at each angle.
     fn rows_of_targets(&mut self, request: &JointRequest, angles: &[f64]) -> Result<Vec<JointRow>> {
         let max_mpa = supply(request)?;
@@ -311,8 +342,13 @@ impl Solver<'_> {
                 torque_nm: request.torque_nm.unwrap_or_default().into(),
                 stiffness_nm_per_rad: request.stiffness_nm_per_rad.map(f64::from),
             };
+            let point = if request.model.name.is_some() {
+                self.model
+                    .pressures(&mut self.workspaces, wanted, max_mpa)?
+            } else {
+                self.built_point(wanted, max_mpa)?
+            };
             let workspaces = &mut self.workspaces;
-            let point = self.model.pressures(workspaces, wanted, max_mpa)?;
             let halves = self.model.pressure_uncertainties_mpa(workspaces, &point);
             let half = |i: usize| halves.get(i).copied().flatten();
             Ok(JointRow {

@@ -119,7 +119,8 @@ impl MeshFields {
 
 /// Refuses both branches where one is requested, or where the friction is not known.
 pub fn check_both(options: Options, muscle: &Muscle) -> Result<()> {
-    if options.direction.is_mean() {
+    let of_job = muscle.job().and_then(|job| job.branch);
+    if options.direction.is_mean() || of_job == Some(options.direction) {
         return check_branch(
             Options {
                 direction: Direction::Contraction,

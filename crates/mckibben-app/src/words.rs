@@ -19,17 +19,13 @@ pub fn number(v: f64, digits: usize) -> String {
     trimmed(v, (digits as i32 - 1 - magnitude).max(0) as usize)
 }
 
-/// A number to the last digit of its ± ([`half_width`]).
+/// A number to the last digit of its ± ([`half_width`]); four digits where that is not known.
 pub fn within(v: f64, uncertainty: f64) -> String {
-    const NO_UNCERTAINTY: i32 = -4;
-    to_place(
-        v,
-        if is_known(uncertainty) {
-            last_place(uncertainty)
-        } else {
-            NO_UNCERTAINTY
-        },
-    )
+    if is_known(uncertainty) {
+        to_place(v, last_place(uncertainty))
+    } else {
+        number(v, 4)
+    }
 }
 
 /// A ±: two digits.

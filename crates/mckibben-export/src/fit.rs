@@ -540,21 +540,17 @@ fn errors(form: &Form, held_out: &[Sample], ends: &[Sample], blocked_n: f64) -> 
     };
     let mut forces = Vec::from_iter(held_out.iter().map(force));
     forces.sort_by(f64::total_cmp);
-    let volumes = Vec::from_iter(held_out.iter().filter_map(volume));
     let [stiffness, by_pressure] = [0, 1].map(slope);
     let all = || held_out.iter().chain(ends);
     FormErrors {
         force_rms: rms(&forces),
-        force_95_ratio: forces
-            .get((0.95 * forces.len() as f64) as usize)
-            .copied()
-            .unwrap_or_default(),
+        force_95_ratio: forces[(0.95 * forces.len() as f64) as usize],
         force_worst_ratio: BETWEEN[0] * peak(all().map(force)) + BESIDE,
         stiffness_rms: rms(&stiffness),
         stiffness_worst_ratio: BETWEEN[0] * peak(stiffness),
         force_per_pressure_rms: rms(&by_pressure),
         force_per_pressure_worst_ratio: BETWEEN[0] * peak(by_pressure),
-        volume_rms: rms(&volumes),
+        volume_rms: rms(&Vec::from_iter(held_out.iter().filter_map(volume))),
         volume_worst_ratio: BETWEEN[1] * peak(all().filter_map(volume)) + BESIDE,
     }
 }
@@ -568,18 +564,16 @@ fn friction(model: &dyn ForceModel, w: &mut Workspace, supply: f64, high: f64) -
         stated.unwrap_or_else(|| of_law(w)).ok()
     };
     // Powers of ε through 0, h and 2 h.
-    let h = 0.3 * high;
-    let mut powers = |q: f64| {
+    let mut powers = |q: f64, h: f64| {
         let [a, b, c] = [half(q, 0.0)?, half(q, h)?, half(q, 2.0 * h)?];
         let bend = (c - 2.0 * b + a) / (2.0 * h * h);
         Some([a, (b - a) / h - bend * h, bend])
     };
-    let (Some(quarter), Some(whole)) = (powers(0.25), powers(1.0)) else {
+    let (Some(quarter), Some(whole)) = (powers(0.25, 0.3 * high), powers(1.0, 0.45 * high)) else {
         return [0.0; 6];
     };
     std::array::from_fn(|i| {
-        let quarter = quarter[i % 3];
-        let whole = whole[i % 3];
+        let [quarter, whole] = [quarter, whole].map(|powers| powers[i % 3]);
         if i < 3 {
             4.0 * quarter - whole
         } else {

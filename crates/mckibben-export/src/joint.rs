@@ -106,7 +106,7 @@ impl ExportedJoint {
                 self.hash
             ),
             format!(
-                "Against the joint of the program: torque {:.3} N m at most; stiffness {:.3} N \
+                "Against the joint of built muscles: torque {:.3} N m at most; stiffness {:.3} N \
                  m/rad where each muscle is slack or pulls by more than {} %.",
                 self.torque_error_nm,
                 self.stiffness_error_nm_per_rad,

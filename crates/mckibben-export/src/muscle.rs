@@ -221,7 +221,7 @@ impl ExportedMuscle {
                 percent(e.stiffness_worst_ratio)
             ),
             format!(
-                "Volume against the model: {} rms, {} worst, of the largest volume.",
+                "Volume against the model, where it pulls: {} rms, {} worst, of the largest volume.",
                 percent(e.volume_rms),
                 percent(e.volume_worst_ratio)
             ),

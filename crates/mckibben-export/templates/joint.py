@@ -16,12 +16,13 @@ WEIGHT = @{weight}  # the weight turns with -WEIGHT[0] cos(angle + WEIGHT[1]), N
 RANGE = @{range}  # of the angle
 ANGLE_OUTSIDE = 16  # what a status adds to those of the muscles
 _PULLS = 24  # pulls among which a stiffness is looked for
-_arrays, _stopped, _repeated = MUSCLES[0]._arrays, MUSCLES[0]._stopped, MUSCLES[0]._repeated
+_arrays, _stopped, _repeated, _within = MUSCLES[0]._arrays, MUSCLES[0]._stopped, MUSCLES[0]._repeated, MUSCLES[0]._within
 
 
 def _path(xp, path, angle):
     """Length (of a pulley from that at the neutral angle), arm -d length/d angle, and the slope of the arm."""
     radius, *a, bx, by = path
+    angle = _within(xp, angle, *RANGE)
     if radius:
         return -radius * angle, radius + 0 * angle, 0 * angle
     s, c = xp.sin(angle), xp.cos(angle)
@@ -33,6 +34,7 @@ def _path(xp, path, angle):
 
 def _passive(xp, angle):
     """Torque of spring and weight, and its -d/d angle."""
+    angle = _within(xp, angle, *RANGE)
     torque = -WEIGHT[0] * xp.cos(angle + WEIGHT[1]) - TORSION[0] - TORSION[1] * angle
     stiffness = TORSION[1] - WEIGHT[0] * xp.sin(angle + WEIGHT[1])
     if not ROPE[1]:
@@ -109,7 +111,8 @@ def _pulled(xp, needed, ends, first):
 
 
 def _pressures(xp, angle, torque, stiffness):
-    needed, ends = torque - _passive(xp, angle)[0], _ends(xp, angle)
+    # Of an angle that is not finite nothing is known.
+    needed, ends = torque - _passive(xp, angle)[0] + (angle - angle), _ends(xp, angle)
     _, arm, without, full = ends[0]
     # The pulls of the first muscle at which the second can do the rest.
     both = [(needed - end * other[1]) / arm for other in ends[1:] for end in other[2:]] or [needed / arm]

@@ -287,6 +287,12 @@ static inline mckibben_real mckibben_path_length(const mckibben_path *path, mcki
     return length;
 }
 
+/* The nearest angle of the range; its lower end of what is not a number. */
+static inline mckibben_real mckibben_joint_nearest(const mckibben_joint *j, mckibben_real angle)
+{
+    return angle > j->range[1] ? j->range[1] : (angle >= j->range[0] ? angle : j->range[0]);
+}
+
 /* Torque of spring and weight, and its -d/d angle. */
 static inline mckibben_real mckibben_joint_passive(const mckibben_joint *j, mckibben_real angle, mckibben_real *stiffness)
 {
@@ -304,8 +310,10 @@ static inline mckibben_real mckibben_joint_passive(const mckibben_joint *j, mcki
 static inline mckibben_real mckibben_joint_torque(const mckibben_joint *j, const mckibben_real p[], mckibben_real angle, mckibben_real *stiffness,
                                                   mckibben_real per_pressure[], unsigned *status)
 {
-    mckibben_real sum, torque = mckibben_joint_passive(j, angle, &sum);
     unsigned one, all = angle >= j->range[0] && angle <= j->range[1] ? 0u : MCKIBBEN_ANGLE_OUTSIDE;
+    mckibben_real sum, torque;
+    angle = mckibben_joint_nearest(j, angle);
+    torque = mckibben_joint_passive(j, angle, &sum);
     for (int i = 0; i < j->muscles; i++) {
         mckibben_real arm, slope;
         const mckibben_real length = mckibben_path_length(&j->path[i], angle, &arm, &slope);
@@ -328,6 +336,7 @@ static inline mckibben_real mckibben_joint_torque(const mckibben_joint *j, const
 static inline void mckibben_joint_limits(const mckibben_joint *j, mckibben_real angle, mckibben_real torque[2])
 {
     mckibben_real arm, slope;
+    angle = mckibben_joint_nearest(j, angle);
     torque[0] = torque[1] = mckibben_joint_passive(j, angle, &slope);
     for (int i = 0; i < j->muscles; i++) {
         const mckibben_real length = mckibben_path_length(&j->path[i], angle, &arm, &slope);
@@ -342,6 +351,7 @@ static inline mckibben_real mckibben_joint_friction(const mckibben_joint *j, con
                                                     mckibben_real smoothing)
 {
     mckibben_real torque = MCKIBBEN_R(0);
+    angle = mckibben_joint_nearest(j, angle);
     for (int i = 0; i < j->muscles; i++) {
         mckibben_real arm, slope;
         const mckibben_real length = mckibben_path_length(&j->path[i], angle, &arm, &slope);
@@ -388,7 +398,10 @@ static inline void mckibben_joint_pressures(const mckibben_joint *j, mckibben_re
     mckibben_real ends[2], k[2], low, high, rounding, finite;
     const int sought = j->muscles > 1 && !(stiffness <= MCKIBBEN_R(0) && stiffness >= MCKIBBEN_R(0));
     unsigned slack, found = angle >= j->range[0] && angle <= j->range[1] ? 0u : MCKIBBEN_ANGLE_OUTSIDE;
-    at.needed = torque - mckibben_joint_passive(j, angle, &at.passive);
+    /* Of an angle that is not finite nothing is known. */
+    at.needed = torque + (angle - angle);
+    angle = mckibben_joint_nearest(j, angle);
+    at.needed -= mckibben_joint_passive(j, angle, &at.passive);
     for (int i = 0; i < j->muscles; i++) {
         at.length[i] = mckibben_path_length(&j->path[i], angle, &at.arm[i], &at.slope[i]);
         at.least[i] = mckibben_force(j->muscle[i], MCKIBBEN_R(0), at.length[i], 0);

@@ -60,11 +60,7 @@ struct Found {
 }
 
 fn size_of(value: Real) -> Real {
-    if value < 0.0 { -value } else { value }
-}
-
-fn apart(a: Real, b: Real) -> Real {
-    if a < b { b - a } else { a - b }
+    value.max(-value)
 }
 
 /// Sine and cosine (the core library has none): up to 100 rad they err by less than the distance of neighbouring numbers at 1. Beyond 8192 rad, to which
@@ -102,13 +98,7 @@ fn sine_and_cosine(angle: Real) -> (Real, Real) {
 impl Held {
     /// The pull that it has of one that is wanted.
     fn pull(&self, wanted: Real) -> Real {
-        if !(wanted > self.least) {
-            self.least
-        } else if wanted < self.most {
-            wanted
-        } else {
-            self.most
-        }
+        wanted.max(self.least).min(self.most)
     }
 }
 
@@ -124,8 +114,15 @@ fn path_at([radius, a0, a1, b0, b1]: Path, angle: Real) -> At {
 }
 
 impl<const N: usize> Joint<N> {
+    /// The nearest angle of the range; its lower end of what is not a number.
+    fn nearest_angle(&self, angle: Real) -> Real {
+        let [low, high] = self.range_rad;
+        angle.max(low).min(high)
+    }
+
     /// Torque of spring and weight, and its −d/d angle.
     fn passive(&self, angle: Real) -> (Real, Real) {
+        let angle = self.nearest_angle(angle);
         let ([weight, inclination], [torsion, rate]) = (self.weight, self.torsion);
         let (sine, cosine) = sine_and_cosine(angle + inclination);
         let mut torque = -weight * cosine - torsion - rate * angle;
@@ -148,6 +145,7 @@ impl<const N: usize> Joint<N> {
 
     /// Each muscle with its pressure and its path.
     fn each(&self, pressures_pa: [Real; N], angle: Real) -> impl Iterator<Item = (&'static Muscle<'static>, Real, At)> {
+        let angle = self.nearest_angle(angle);
         let muscles = IntoIterator::into_iter(self.muscles).zip(IntoIterator::into_iter(self.paths));
         muscles.zip(pressures_pa).map(move |((muscle, path), pressure)| (muscle, pressure, path_at(path, angle)))
     }
@@ -213,12 +211,13 @@ impl<const N: usize> Joint<N> {
         let (own, passive) = self.passive(angle);
         let mut paths = self.paths.iter();
         let held = self.muscles.map(|muscle| {
-            let at = path_at(paths.next().copied().unwrap_or([0.0; 5]), angle);
+            let at = path_at(paths.next().copied().unwrap_or([0.0; 5]), self.nearest_angle(angle));
             let least = nearest(muscle.force_n(0.0, at.length));
             let most = nearest(muscle.force_n(muscle.supply_pa, at.length));
             Held { at, least, most }
         });
-        Place { held, needed: torque - own, passive }
+        // Of an angle that is not finite nothing is known.
+        Place { held, needed: torque - own + (angle - angle), passive }
     }
 
     /// 0 of a muscle that need not pull (a millionth of its pull at the supply is rounding).
@@ -244,22 +243,16 @@ impl<const N: usize> Joint<N> {
 
     /// The pulls of the first muscle at which the second can do the rest, and [`NO_ANSWER`] where there are none.
     fn pulls(&self, place: &Place<N>) -> ([Real; 2], u32) {
-        let (first, ends) = match place.held.as_slice() {
+        let (first, [a, b]) = match place.held.as_slice() {
             [one] => (one, [place.needed / one.at.arm; 2]),
             [one, other] => (one, [other.least, other.most].map(|pull| (place.needed - pull * other.at.arm) / one.at.arm)),
             _ => return ([0.0; 2], NO_ANSWER),
         };
-        let [low, high] = if ends[0] < ends[1] { ends } else { [ends[1], ends[0]] };
+        let (low, high) = (a.min(b), a.max(b));
         let rounding = 1e-6 * first.most;
         let is_there = low <= first.most + rounding && high >= first.least - rounding;
         let low = first.pull(low);
-        let high = if !(high < first.most) {
-            first.most
-        } else if high > low {
-            high
-        } else {
-            low
-        };
+        let high = high.max(low).min(first.most);
         ([low, high], if is_there { 0 } else { NO_ANSWER })
     }
 
@@ -281,14 +274,14 @@ impl<const N: usize> Joint<N> {
     fn search(&self, place: &Place<N>, [low, high]: [Real; 2], sought: Real) -> Found {
         let enough = 1e-3 * size_of(sought);
         let stiffness = self.pulled(place, low).stiffness;
-        let (mut best, mut closest, mut reached) = (low, apart(stiffness, sought), [stiffness; 2]);
+        let (mut best, mut closest, mut reached) = (low, size_of(stiffness - sought), [stiffness; 2]);
         let (mut is_met, mut is_any) = (closest <= enough, false);
         // Both muscles are taut at the ends.
         let taut = match place.held.as_slice() {
             [one, other] => 1e-5 * (one.most + other.most * size_of(other.at.arm / one.at.arm)),
             _ => 0.0,
         };
-        let taut = if taut < 0.5 * (high - low) { taut } else { 0.5 * (high - low) };
+        let taut = taut.min(0.5 * (high - low));
         let mut before: Option<(Real, Real)> = None;
         for i in 0..=PULLS {
             let pull = low + taut + (high - low - 2.0 * taut) * i as Real / PULLS as Real;
@@ -298,27 +291,25 @@ impl<const N: usize> Joint<N> {
                 continue;
             }
             let (stiffness, [least, most]) = (here.stiffness, reached);
-            let is_least = !is_any || stiffness < least;
-            let is_most = !is_any || stiffness > most;
-            reached = [if is_least { stiffness } else { least }, if is_most { stiffness } else { most }];
+            reached = if is_any { [least.min(stiffness), most.max(stiffness)] } else { [stiffness; 2] };
             is_any = true;
             let miss = stiffness - sought;
             match before {
                 Some((from, earlier)) if !is_met && (miss < 0.0) != (earlier < 0.0) => {
                     let (middle, there) = self.halved(place, [from, pull], sought, earlier < 0.0);
                     // Where it jumps, no side has it.
-                    is_met = apart(there, sought) <= enough;
+                    is_met = size_of(there - sought) <= enough;
                     best = if is_met { middle } else { best };
                 }
                 _ => {}
             }
             before = Some((pull, miss));
-            if !is_met && apart(stiffness, sought) < closest {
-                closest = apart(stiffness, sought);
+            if !is_met && size_of(stiffness - sought) < closest {
+                closest = size_of(stiffness - sought);
                 best = pull;
             }
         }
-        let last = apart(self.pulled(place, high).stiffness, sought);
+        let last = size_of(self.pulled(place, high).stiffness - sought);
         if !is_met && last < closest {
             closest = last;
             best = high;

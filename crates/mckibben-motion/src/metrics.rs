@@ -28,13 +28,8 @@ struct Track(Vec<Spot>);
 impl Track {
     /// The last value up to a time.
     fn value_at(&self, t: f64) -> f64 {
-        self.0
-            .get(
-                self.0
-                    .partition_point(|spot| spot.time <= t)
-                    .saturating_sub(1),
-            )
-            .map_or(0.0, |spot| spot.value)
+        let before = self.0.iter().rfind(|spot| spot.time <= t);
+        before.or(self.0.first()).map_or(0.0, |spot| spot.value)
     }
 
     /// The spots within a piece.
@@ -142,24 +137,24 @@ pub fn reached(drive: &Drive) -> Drive {
 }
 
 /// Fills in the figures of a motion, of everything that was passed: with a long run the points of
-/// its series lie far apart.
-pub fn step_figures(drive: &Drive, motion: &mut Motion, passed: &[Passed]) {
-    let position = |p: &Passed| Spot {
+/// its series lie far apart. A load that still moves at the end is on its way to `goal`.
+pub fn step_figures(drive: &Drive, motion: &mut Motion, passed: &[Passed], goal: Option<f64>) {
+    let positions = passed.iter().map(|p| Spot {
         time: p.time_s,
         value: p.coordinate,
         slope: Some(p.velocity),
-    };
+    });
     let pressures = passed.iter().map(|p| Spot {
         time: p.time_s,
         value: p.gauge_mpa,
         slope: None,
     });
-    let positions = Track(passed.iter().map(position).collect());
+    let positions = Track(positions.collect());
     let pressures = Track(pressures.collect());
-    let mut ends = changes(drive);
-    let starts = ends.clone();
-    ends.push(drive.until_s);
-    for (&begin, &end) in starts.iter().zip(ends.iter().skip(1)) {
+    let mut times = changes(drive);
+    times.push(drive.until_s);
+    for pair in times.windows(2) {
+        let [begin, end] = *pair else { continue };
         let piece = (begin, end);
         let from = positions.value_at(begin);
         let to = match &drive.target {
@@ -167,7 +162,9 @@ pub fn step_figures(drive: &Drive, motion: &mut Motion, passed: &[Passed]) {
                 command.value_within(end, 0.5 * (begin + end))
                     / drive.mechanism.position_per_coordinate()
             }
-            _ => positions.value_at(end),
+            _ => goal
+                .filter(|_| end == drive.until_s)
+                .unwrap_or_else(|| positions.value_at(end)),
         };
         let step = to - from;
         if step.abs() > 1e-9 * drive.mechanism.shortening(0.0).recip() {
@@ -203,10 +200,11 @@ pub fn step_figures(drive: &Drive, motion: &mut Motion, passed: &[Passed]) {
                 .map(|t| t - begin);
         }
     }
-    let first = motion.steps.first().copied();
-    motion.rise_time_s = first.and_then(|f| f.rise_time_s);
-    motion.settling_time_s = first.and_then(|f| f.settling_time_s);
-    motion.overshoot = first.map(|f| f.overshoot);
+    if let Some(first) = motion.steps.first() {
+        motion.rise_time_s = first.rise_time_s;
+        motion.settling_time_s = first.settling_time_s;
+        motion.overshoot = Some(first.overshoot);
+    }
 }
 
 /// The share of the way within which a load rests.
@@ -234,8 +232,10 @@ pub fn rest(system: &System, passed: &[Passed]) -> Option<(MotionEnd, Option<f64
     if drive.mechanism.is_held() {
         return None;
     }
-    let commands = drive.target.commands().iter();
-    let from = commands
+    let from = drive
+        .target
+        .commands()
+        .iter()
         .chain([&drive.external])
         .map(constant_from)
         .collect::<Option<Vec<_>>>()?;
@@ -246,8 +246,7 @@ pub fn rest(system: &System, passed: &[Passed]) -> Option<(MotionEnd, Option<f64
     let last = until - LAST * (until - from);
     let begin = passed
         .iter()
-        .take_while(|p| p.time_s <= from)
-        .last()
+        .rfind(|p| p.time_s <= from)
         .or(passed.first())?
         .coordinate;
     let late = Vec::from_iter(
@@ -259,8 +258,7 @@ pub fn rest(system: &System, passed: &[Passed]) -> Option<(MotionEnd, Option<f64
     let first = *late.first()?;
     let end = *late.last()?;
     let (low, high) = ends(late.iter().copied());
-    let length = 1.0 / drive.mechanism.shortening(end);
-    let room = (SHARE * (end - begin).abs()).max(OF_LENGTH * length);
+    let room = (SHARE * (end - begin).abs()).max(OF_LENGTH / drive.mechanism.shortening(end));
     let moves = if high - low <= room {
         Moves::Rests
     } else if high - low > 1.2 * (end - first).abs() {
@@ -273,7 +271,7 @@ pub fn rest(system: &System, passed: &[Passed]) -> Option<(MotionEnd, Option<f64
             let pressures = Vec::from_iter(commands.iter().map(|c| c.value(until)));
             system.at_pressures(&pressures).ok().map(|e| e.coordinate)
         }
-        Commanded::Opening(_) | Commanded::Volume(_) | Commanded::Position { .. } => None,
+        _ => None,
     };
     Some((
         MotionEnd {

@@ -195,10 +195,11 @@ impl Integration<'_> {
         if ended.is_none() {
             // A step before an event was taken twice, the second time up to the event.
             self.passed.sort_by_number(|a| a.time_s);
-            step_figures(drive, &mut motion, &self.passed);
             let rest = rest(system, &self.passed);
             motion.end = rest.map(|(end, _)| end);
             equilibrium = rest.and_then(|(_, q)| q);
+            let goal = equilibrium.filter(|_| motion.at_rest() == Some(false));
+            step_figures(drive, &mut motion, &self.passed, goal);
         }
         match drive.mechanism.coordinate() {
             Coordinate::Angle => {

@@ -73,6 +73,7 @@ impl PointAnswer {
         let words = &background.uncertainty_words;
         let is_pull = self.sought == PointQuantity::Force;
         let of = if is_pull { "" } else { "of the pull " };
+        let built = a.predicted.filter(|_| !self.is_model_named);
         // Of a model that was named its number comes first, else that of a muscle that is built.
         let first = |quantity: PointQuantity| {
             self.sought
@@ -91,7 +92,7 @@ impl PointAnswer {
             .quantity(
                 "shortening",
                 &length,
-                r.contraction * background.muscle.length_mm,
+                built.unwrap_or(r.contraction) * background.muscle.length_mm,
             )
             .text("pull", first(PointQuantity::Force))
             .and(self.other_row(u))

@@ -82,7 +82,8 @@ pub fn global(points: &[FitPoint], own: Option<&[[u8; 4]]>) -> Result<(GlobalTer
     let groups = groups(points, &diameters, candidates.len(), row);
     cancel::check()?;
     let full = Triangle::without(&groups, None);
-    let chosen = select(&full);
+    // Terms that are chosen have two points each at least.
+    let chosen = select(&full, own.map_or(full.rows / 2, <[_]>::len));
     // The choice of work that was ended is not complete.
     cancel::check()?;
     let coefficients = nested(&full, &chosen);
@@ -115,8 +116,7 @@ fn groups(
     const GROUPS: usize = 12;
     let size = diameters.len().div_ceil(GROUPS).max(1);
     threads::map(&Vec::from_iter(diameters.chunks(size)), |group| {
-        let (first, last) = (group[0], group[group.len() - 1]);
-        let belongs = |d: f64| (d > first && d < last) || same(d, first) || same(d, last);
+        let belongs = |d: f64| group.iter().any(|one| same(d, *one));
         let used = |p: &&FitPoint| p.force_n > 0.0 && belongs(p.outer_diameter_mm);
         Triangle::of_rows(terms, points.iter().filter(used).map(&row))
     })
@@ -141,17 +141,14 @@ fn candidates(counts: [usize; 4]) -> Vec<[u8; 4]> {
 }
 
 /// Forward selection by modified Gram–Schmidt: the order in which terms are chosen.
-fn select(problem: &Triangle) -> Vec<usize> {
+fn select(problem: &Triangle, most: usize) -> Vec<usize> {
     let mut columns: Vec<DVector<f64>> = problem.columns().collect();
     let lengths: Vec<f64> = columns.iter().map(DVector::norm_squared).collect();
     let mut rest = problem.values();
     let all = rest.norm_squared();
     let mut free: Vec<usize> = (0..columns.len()).collect();
     let mut chosen = vec![];
-    while chosen.len() < MOST_TERMS.min(problem.rows)
-        && rest.norm_squared() > MET * all
-        && cancel::check().is_ok()
-    {
+    while chosen.len() < most && rest.norm_squared() > MET * all && cancel::check().is_ok() {
         let gain = |&j: &usize| {
             let square = columns[j].norm_squared();
             if square > DEPENDENT * lengths[j] {
@@ -204,7 +201,7 @@ fn leave_out(groups: &[Triangle]) -> Option<Vec<f64>> {
     for (group, out) in groups.iter().enumerate().take(last).skip(1) {
         cancel::check().ok()?;
         let kept = Triangle::without(groups, Some(group));
-        let chosen = select(&kept);
+        let chosen = select(&kept, kept.rows / 2);
         cancel::check().ok()?;
         let coefficients = nested(&kept, &chosen);
         let columns = out.matrix.select_columns(&chosen);

@@ -14,7 +14,7 @@
 //! Source: Rasmussen & Williams (2006) (`rasmussen2006`), ch. 2.7 (a Gaussian process beside a linear
 //! model).
 
-use crate::muscle::Constants;
+use crate::muscle::{Constant, Constants};
 
 /// σg: smooth difference between model and muscle over the blocked force.
 pub const DISCREPANCY: f64 = 0.05;
@@ -108,10 +108,9 @@ impl Learnt {
         };
         let r: Vec<Vec<f64>> = (0..places.len()).map(row).collect();
         let root = cholesky(&r)?;
-        let constants = 0..rows.first().map_or(0, |row| row.2.len());
         Some(Self {
             residuals: forward(&root, rows.iter().map(|row| row.1)),
-            slopes: constants
+            slopes: (0..Constant::ALL.len())
                 .map(|c| forward(&root, rows.iter().map(|row| row.2[c])))
                 .collect(),
             places,

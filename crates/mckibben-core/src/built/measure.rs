@@ -152,9 +152,9 @@ impl Predictor {
             let row = |r: &Constants| r.iter().zip(b).map(|(c, b)| c * b).sum::<f64>();
             self.covariance.iter().zip(a).map(|(r, a)| a * row(r)).sum()
         };
-        let near = |a: &Option<Place>, b: &Option<Place>| match (a, b) {
-            (Some(a), Some(b)) => kernel(a, b, here.pressure_mpa),
-            _ => 0.0,
+        let near = |a: Option<Place>, b: Option<Place>| {
+            a.zip(b)
+                .map_or(0.0, |(a, b)| kernel(&a, &b, here.pressure_mpa))
         };
         let s: Vec<Vec<f64>> = rows
             .iter()
@@ -162,14 +162,14 @@ impl Predictor {
             .map(|(i, a)| {
                 let beside = |(k, b): (usize, &Row)| {
                     let noise = if i == k { a.1 * a.1 } else { 0.0 };
-                    by_c(&a.0, &b.0) + near(&a.2, &b.2) + noise
+                    by_c(&a.0, &b.0) + near(a.2, b.2) + noise
                 };
                 rows.iter().enumerate().map(beside).collect()
             })
             .collect();
         let c = rows
             .iter()
-            .map(|row| by_c(&at.slopes, &row.0) + near(&Some(*here), &row.2));
+            .map(|row| by_c(&at.slopes, &row.0) + near(Some(*here), row.2));
         let told = forward(&cholesky(&s)?, c);
         let before = by_c(&at.slopes, &at.slopes) + kernel(here, here, here.pressure_mpa);
         let left = before - told.iter().map(|t| t * t).sum::<f64>();

@@ -61,9 +61,10 @@ pub fn beyond_measured(muscle: &Muscle) -> f64 {
         let (low, high) = MEASURED[i].2;
         of(values[i]) - of(values[i].max(low).min(high))
     };
-    let turned = match muscle.is_extensile() {
-        true => 0.0,
-        false => away(3, |deg| deg / 10.0),
+    let turned = if muscle.is_extensile() {
+        0.0
+    } else {
+        away(3, |deg| deg / 10.0)
     };
     OF_DISTANCE * away(0, f64::log2).hypot(away(1, f64::log2)).hypot(turned)
 }

@@ -150,8 +150,7 @@ impl Evaluation<'_> {
         contraction: f64,
         force_n: f64,
     ) -> Option<(Built, UncertaintyParts)> {
-        let muscle = Arc::clone(&self.model.info().muscle);
-        let predictor = self.predictor(&muscle);
+        let predictor = self.predictor();
         let predictor = Option::as_ref(&predictor)?;
         self.predicted_by(predictor, pressure_mpa, contraction, force_n)
     }
@@ -261,7 +260,7 @@ impl Evaluation<'_> {
         };
         let mean_n = self.with(mean).force_n(pressure_mpa, contraction)?;
         let none = || ModelError::not_converged(pressure_mpa, contraction);
-        let predictor = self.predictor(&muscle);
+        let predictor = self.predictor();
         let predictor = Option::as_ref(&predictor).ok_or_else(none)?;
         if predictor.learnt.is_some() {
             let mut model = self.with(mean);
@@ -292,7 +291,7 @@ impl Evaluation<'_> {
             return vec![];
         }
         let sign = working_direction(&muscle, self.options.direction).sign();
-        let predictor = self.predictor(&muscle);
+        let predictor = self.predictor();
         Option::as_ref(&predictor).map_or_else(Vec::new, |predictor| {
             predictor.measurements(pressure_mpa, contraction, sign)
         })
@@ -300,13 +299,13 @@ impl Evaluation<'_> {
 
     /// How the pull of a model goes on beyond its free contraction, in N.
     pub(crate) fn beyond_free_n(&mut self, p: f64, contraction: f64, free: f64) -> Option<f64> {
-        let muscle = Arc::clone(&self.model.info().muscle);
-        let predictor = self.predictor(&muscle);
+        let predictor = self.predictor();
         Option::as_ref(&predictor)?.beyond_n(p, contraction, free)
     }
 
     /// What is known of the constants of the model's muscle.
-    fn predictor(&mut self, muscle: &Arc<Muscle>) -> Arc<Option<Predictor>> {
+    fn predictor(&mut self) -> Arc<Option<Predictor>> {
+        let muscle = &self.model.info().muscle;
         self.workspace
             .of_muscle(muscle, || Predictor::of(muscle, Experience::built_in()))
     }

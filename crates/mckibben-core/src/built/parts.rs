@@ -132,10 +132,8 @@ impl UncertaintyParts {
 
     /// The parts with their names, those that there are.
     pub fn named(mut self) -> impl Iterator<Item = (&'static str, f64)> {
-        self.slots()
-            .map(|(name, part)| (name, *part))
-            .into_iter()
-            .filter_map(|(name, part)| Some((name, part?)))
+        let named = |(name, part): (_, &mut Option<f64>)| Some((name, (*part)?));
+        self.slots().map(named).into_iter().flatten()
     }
 
     /// Two of them with each part joined, by name.
@@ -153,18 +151,10 @@ impl UncertaintyParts {
         self
     }
 
-    /// Each part times a factor, with its sign.
-    pub(crate) fn times(mut self, factor: f64) -> Self {
+    /// What becomes of each part.
+    pub(crate) fn each(mut self, of: impl Fn(f64) -> f64) -> Self {
         for (_, part) in self.slots() {
-            *part = part.map(|part| factor * part);
-        }
-        self
-    }
-
-    /// Without signs.
-    pub(crate) fn sizes(mut self) -> Self {
-        for (_, part) in self.slots() {
-            *part = part.map(f64::abs);
+            *part = part.map(&of);
         }
         self
     }

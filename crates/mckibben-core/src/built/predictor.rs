@@ -86,15 +86,15 @@ impl Predictor {
             }
         }
         let scatter = if bench.laboratory.is_some() || muscle.differs_from_identified() {
-            let mut specimen = experience.specimen;
-            let factor = &mut specimen[Constant::PullFactor as usize];
-            *factor = factor.hypot(beyond_measured(muscle));
-            Some(specimen)
+            Some((&experience.specimen, beyond_measured(muscle)))
         } else {
-            (!muscle.has_own_points()).then_some(experience.length)
+            (!muscle.has_own_points()).then_some((&experience.length, 0.0))
         };
-        for (i, deviation) in scatter.into_iter().flatten().enumerate() {
-            covariance[i][i] += deviation * deviation;
+        if let Some((scatter, beyond)) = scatter {
+            let unknown = Prior::unstated(muscle, experience);
+            carry_over(scatter, &unknown, bench, &mut centre, &mut covariance);
+            let factor = Constant::PullFactor as usize;
+            covariance[factor][factor] += beyond * beyond;
         }
         let mut out = Self::about(muscle, centre, covariance)?;
         out.is_identified = true;
@@ -232,6 +232,31 @@ impl Predictor {
     pub fn free_contraction(&self, pressure_mpa: f64) -> f64 {
         let pulls = |e: f64| self.built.force_n(pressure_mpa, e).is_some_and(|n| n > 0.0);
         bisect(0.0, self.muscle.max_ideal_contraction(), 30, pulls).0
+    }
+}
+
+/// What another specimen or length keeps of what was learnt of one: both are drawn from the muscles of
+/// the prior, x0 and σ², and differ by a deviation d, so that b = 1 − d²/(2 σ²) is common to them:
+/// x' = x0 + b (x − x0), C' = b C bᵀ + (1 − b²) σ². With d = 0 all of it, from d = σ √2 on nothing.
+fn carry_over(
+    scatter: &Constants,
+    unknown: &Prior,
+    bench: &Bench,
+    centre: &mut Constants,
+    covariance: &mut [Constants],
+) {
+    let kept: Constants =
+        std::array::from_fn(|i| (1.0 - 0.5 * (scatter[i] / unknown.deviation[i]).powi(2)).max(0.0));
+    let shifts = bench.constants.iter().zip(&bench.shift);
+    for (constant, shift) in shifts {
+        let i = *constant as usize;
+        centre[i] += (1.0 - kept[i]) * (unknown.centre[i] - shift);
+    }
+    for (i, row) in covariance.iter_mut().enumerate() {
+        row.iter_mut()
+            .zip(kept)
+            .for_each(|(value, b)| *value *= kept[i] * b);
+        row[i] += (1.0 - kept[i].powi(2)) * unknown.deviation[i].powi(2);
     }
 }
 

@@ -57,31 +57,6 @@ pub struct Experience {
 }
 
 impl Experience {
-    /// The same to four digits, as the file has it.
-    #[must_use]
-    pub fn rounded(mut self) -> Self {
-        let to_four = |v: &mut f64| *v = format!("{v:.3e}").parse().unwrap_or(*v);
-        for belief in [
-            &mut self.pull_factor,
-            &mut self.seating,
-            &mut self.compliance_crimped,
-            &mut self.compliance_clamped,
-            &mut self.compliance_unknown,
-            &mut self.take_up,
-            &mut self.modulus,
-            &mut self.friction,
-            &mut self.friction_in_rubber,
-        ] {
-            to_four(&mut belief.centre);
-            to_four(&mut belief.deviation);
-        }
-        self.specimen
-            .iter_mut()
-            .chain(&mut self.length)
-            .for_each(to_four);
-        self
-    }
-
     /// What the measured muscles that are built in tell: `data/prior.json`, which `cargo study
     /// validation` computes from their points.
     pub fn built_in() -> &'static Self {
@@ -124,14 +99,32 @@ impl Prior {
 
     /// Of a muscle that was not measured. What it states has its value, with half of the deviation.
     pub fn of(muscle: &Muscle, experience: &Experience) -> Self {
+        let mut prior = Self::with(muscle, experience, |stated| stated);
+        let factor = &mut prior.deviation[Constant::PullFactor as usize];
+        *factor = factor.hypot(beyond_measured(muscle));
+        prior
+    }
+
+    /// Of a muscle as large as those that were measured, of which nothing is stated about ends and
+    /// slack.
+    pub fn unstated(muscle: &Muscle, experience: &Experience) -> Self {
+        Self::with(muscle, experience, |_| None)
+    }
+
+    fn with(
+        muscle: &Muscle,
+        experience: &Experience,
+        stated: fn(Option<f64>) -> Option<f64>,
+    ) -> Self {
         let terminals = muscle.terminals();
         let braid = muscle.braid();
-        let beside = |belief: Belief, stated: Option<f64>| match stated {
+        let about_zero = |deviation| Belief {
+            centre: 0.0,
+            deviation,
+        };
+        let beside = |belief: Belief, value: Option<f64>| match stated(value) {
             None => belief,
-            Some(_) => Belief {
-                centre: 0.0,
-                deviation: STATED * belief.deviation,
-            },
+            Some(_) => about_zero(STATED * belief.deviation),
         };
         let compliance = match terminals.made {
             Some(EndsMade::Crimped) => experience.compliance_crimped,
@@ -153,12 +146,8 @@ impl Prior {
             None => 0.0,
             Some(_) => (0.5 * braid.stiffness_factor.ln()).max(STRANDS_STATED),
         };
-        let about_zero = |deviation| Belief {
-            centre: 0.0,
-            deviation,
-        };
         let beliefs = [
-            experience.pull_factor.wider(beyond_measured(muscle)),
+            experience.pull_factor,
             beside(experience.seating, terminals.seating_mm),
             beside(compliance, terminals.slip_mm_per_n),
             beside(experience.take_up, braid.take_up_mpa),

@@ -4,7 +4,7 @@ use crate::{
         Accuracy, ForceModel, Ideal, ModelInfo, ModelKind, Reference, Response, ThickWall,
         Workspace,
     },
-    muscle::{Braid, BraidStiffness, Constants, Friction, Rubber, Tube},
+    muscle::{Bench, Braid, BraidStiffness, Constants, Friction, Rubber, Tube},
     rubber::{Law, NeoHookean},
 };
 use std::f64::consts::PI;
@@ -302,7 +302,60 @@ fn a_load_that_is_hung_leaves_what_its_noise_does() {
 #[test]
 fn the_experience_that_is_built_in_is_read() {
     let experience = Experience::built_in();
-    assert_eq!(*experience, experience.clone().rounded());
     let prior = Prior::of(&Muscle::prototype(), experience);
     assert!(prior.deviation.iter().all(|d| *d > 0.0), "{prior:?}");
+}
+
+/// An identity: of two specimens x1 = m + e1 and x2 = m + e2, whose difference has the deviation d and
+/// each of which has the prior x0 ± σ, one is measured with a noise v that leaves x ± c of it. What
+/// that tells of the other is the conditional normal distribution of x2 by the reading y.
+#[test]
+fn identity_another_specimen_has_the_conditional_distribution_of_the_prior() {
+    let (muscle, experience) = (Muscle::prototype(), Experience::built_in());
+    let prior = Prior::unstated(&muscle, experience);
+    let left = prior.deviation.map(|sigma| 0.4 * sigma);
+    let found: Constants = std::array::from_fn(|i| prior.centre[i] + 0.7 * prior.deviation[i]);
+    let bench = Bench {
+        laboratory: Some("another".to_owned()),
+        model: "thick-wall".to_owned(),
+        lengths_mm: vec![],
+        points: 0,
+        branches: vec![],
+        pressure_mpa: (0.1, 0.3),
+        contraction: (0.0, 0.2),
+        pull_factor: found[Constant::PullFactor as usize].exp(),
+        friction_share: found[Constant::Friction as usize],
+        constants: Constant::ALL.to_vec(),
+        shift: found.to_vec(),
+        variance_factor: None,
+        covariance: diagonal(&left).iter().map(|row| row.to_vec()).collect(),
+        own_points: vec![],
+        own_noise: vec![],
+        of: String::new(),
+    };
+    let predictor = Predictor::of(&muscle.clone().with_bench(bench), experience).unwrap();
+    for constant in Constant::ALL {
+        let i = constant as usize;
+        let (sigma2, c2) = (prior.deviation[i].powi(2), left[i].powi(2));
+        // d ≥ σ √2 would say that specimens differ by more than muscles do: then nothing is known.
+        let beyond = match constant {
+            Constant::PullFactor => measured::beyond_measured(&muscle),
+            _ => 0.0,
+        };
+        let common = (sigma2 - 0.5 * experience.specimen[i].powi(2)).max(0.0);
+        let noise = 1.0 / (1.0 / c2 - 1.0 / sigma2);
+        let reading = noise * (found[i] / c2 - prior.centre[i] / sigma2);
+        let gain = common / (sigma2 + noise);
+        let mean = prior.centre[i] + gain * (reading - prior.centre[i]);
+        // The size lies beyond that of the muscles of the prior.
+        let variance = sigma2 - gain * common + beyond.powi(2);
+        // Of constants that the muscle states, the centre is the difference to what it states.
+        let stated = match constant {
+            Constant::PullFactor | Constant::Friction => 0.0,
+            _ => found[i],
+        };
+        let close = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs().max(1e-3);
+        assert!(close(predictor.centre[i] + stated, mean), "{constant:?}");
+        assert!(close(predictor.covariance[i][i], variance), "{constant:?}");
+    }
 }

@@ -23,7 +23,7 @@ impl BoundJoint {
     pub(super) fn torque_uncertainty(&self, muscles: &[MuscleState]) -> Option<UncertaintyParts> {
         let mut each = muscles.iter().map(|m| {
             let parts = m.answer.uncertainty_parts_n?;
-            Some(parts.times(1e-3 * m.arm_mm))
+            Some(parts.each(|n| 1e-3 * m.arm_mm * n))
         });
         let first = each.next().flatten()?;
         let joined = each.try_fold(first, |first, second| {
@@ -33,7 +33,7 @@ impl BoundJoint {
                 _ => a.hypot(b),
             }))
         })?;
-        Some(joined.sizes())
+        Some(joined.each(f64::abs))
     }
 
     /// 95 % half-width of the stiffness in N m/rad; `None` where that of a muscle's pull is not
@@ -56,31 +56,25 @@ impl JointPoint {
     /// that is built, on its branch. The joint turns to where its muscles turn it: those that pull
     /// there shorten, the others lengthen. Where they turn it by less than their friction, that holds it.
     pub(super) fn with_built_torque(self) -> Self {
-        // Torque of the mean of both branches and half of what lies between them, N m, and the
-        // model's.
+        // Torques in N m while the joint turns to + and to −, and that of the model. A branch on which
+        // a muscle is slack pulls nothing.
         let torques = |m: &MuscleState| {
             let built = m.answer.built?;
-            let friction_n = built.predicted_shift_n.friction;
-            let half_n = if m.answer.direction.is_mean() {
-                friction_n.abs()
+            let shift = built.predicted_shift_n;
+            let mean_n = built.mean_n + shift.take_up + shift.ends + shift.factor;
+            let half_n = m.arm_mm.signum() * shift.friction.abs();
+            let [there_n, back_n] = if m.answer.direction.is_mean() {
+                [mean_n - half_n, mean_n + half_n].map(|n| n.max(0.0))
             } else {
-                0.0
-            };
-            let mean_n = if m.answer.direction.is_mean() {
-                built.predicted_n - friction_n
-            } else {
-                built.predicted_n
+                [built.predicted_n; 2]
             };
             let arm_m = 1e-3 * m.arm_mm;
-            let half_n = half_n.min(mean_n.max(0.0));
-            let pulls = [mean_n.max(0.0), half_n, m.answer.response.force_n];
-            Some(pulls.map(|n| arm_m * n))
+            Some([there_n, back_n, m.answer.response.force_n].map(|n| arm_m * n))
         };
         let torques: Option<Vec<[f64; 3]>> = self.muscles.iter().map(torques).collect();
         let predicted_nm = torques.map(|torques| {
-            let sum = |of: &dyn Fn(&[f64; 3]) -> f64| torques.iter().map(of).sum::<f64>();
-            let (turns, friction) = (sum(&|t| t[0]), sum(&|t| t[1].abs()));
-            self.torque_nm + sum(&|t| t[0] - t[2]) - turns.clamp(-friction, friction)
+            let sum = |i: usize| torques.iter().map(|t| t[i]).sum::<f64>();
+            self.torque_nm - sum(2) + sum(0).max(0.0) + sum(1).min(0.0)
         });
         Self {
             predicted_nm,
