@@ -10,6 +10,7 @@
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
+mod body;
 mod cut;
 mod drawing;
 #[doc(hidden)]

@@ -2,12 +2,13 @@
 //! has one, the thread of a fitting in one of its flats, so that both ends carry the load.
 
 use crate::{
+    body::{Circle, FACETS, Face, Loop, X, Y, Z, met, minus, revolved},
     fitting::Fitting,
     frame::Bar,
-    mesh::{FACETS, Mesh, Ring},
+    mesh::Mesh,
     stem::Stem,
 };
-use std::f64::consts::{FRAC_PI_4, PI, SQRT_2, TAU};
+use std::f64::consts::{PI, SQRT_2};
 
 /// Bolts and their holes (ISO 273, medium), in mm.
 pub const BOLTS_MM: [(f64, f64); 15] = [
@@ -333,22 +334,13 @@ impl Plug {
         self.material.density * self.mesh().volume_mm3()
     }
 
-    /// The hole of the bolt from its centre: along the axis and across. A printed one has a roof of
-    /// 45° towards the stem, which is up on the printer.
-    fn eye(&self) -> Vec<[f64; 2]> {
-        let r = 0.5 * self.hole_mm;
-        let at = |i: usize| {
-            let (sin, cos) = (TAU * i as f64 / FACETS as f64).sin_cos();
-            let is_roof = self.is_printed() && cos < -FRAC_PI_4.cos() - 1e-9;
-            // On the line from the end of the roof to its ridge.
-            let scale = if is_roof {
-                SQRT_2 / (sin.abs() + cos.abs())
-            } else {
-                1.0
-            };
-            [r * scale * cos, r * scale * sin]
-        };
-        (0..FACETS).map(at).collect()
+    /// The hole of the bolt at a distance from the axis. A printed one has a roof towards the stem, which
+    /// is up on the printer.
+    fn eye(&self, x: f64) -> Circle {
+        Circle {
+            has_roof: self.is_printed(),
+            ..Circle::about(X, [x, 0.0, self.eye_mm], 0.5 * self.hole_mm)
+        }
     }
 
     /// Radii and heights from the inner end to the head.
@@ -368,7 +360,10 @@ impl Plug {
         side.extend([[self.foot_mm, half], [self.length_mm, half]]);
         let mirrored = side.iter().rev().map(|[x, y]| [*x, -y]);
         let outline = side.iter().copied().chain(mirrored).collect();
-        let eye = self.eye().into_iter().map(|[z, y]| [self.eye_mm + z, y]);
+        let mut eye = self.eye(0.0).points();
+        // As seen along it, from the end of the head on.
+        eye.rotate_left(FACETS / 4 + 1);
+        let eye = eye.into_iter().rev().map(|[_, y, z]| [z, y]);
         let port = self.port.map(|port| {
             let (p, r, h) = (0.5 * port.passage_mm, 0.5 * port.hole_mm, port.height_mm);
             let floor = half - port.depth_mm;
@@ -386,46 +381,60 @@ impl Plug {
         (outline, [eye.collect()].into_iter().chain(port).collect())
     }
 
-    /// The surface, with the inner end of the stem at z = 0.
-    pub fn mesh(&self) -> Mesh {
-        let mut mesh = Mesh::default();
-        let Some((tip, root)) = mesh.bands(&self.turned()) else {
-            return mesh;
-        };
+    /// Its faces, with the inner end of the stem at z = 0.
+    pub(crate) fn body(&self) -> Vec<Face> {
         let half = 0.5 * self.side_mm;
-        let square = |mesh: &mut Mesh, z: f64| -> Ring {
+        let square = |z: f64| {
             [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]]
-                .map(|[x, y]| mesh.corner([half * x, half * y, z]))
-                .into()
+                .map(|[x, y]| [half * x, half * y, z])
         };
-        let low = square(&mut mesh, self.foot_mm);
-        let high = square(&mut mesh, self.length_mm);
-        let flat = |k: usize| vec![low[k], low[(k + 1) % 4], high[(k + 1) % 4], high[k]];
-        match self.collar_mm {
-            Some(_) => mesh.face(&root, &low, |[x, y, _]| [x, y], [0.0; 2]),
-            None => mesh.face(&low, &root, |[x, y, _]| [y, x], [0.0; 2]),
-        }
-        mesh.polygon(&high, |[x, y, _]| [x, y]);
-        // The hole of the bolt, from flat to flat.
-        let eye = self.eye();
-        let side = |mesh: &mut Mesh, x: f64| -> Ring {
-            let corner = |[z, y]: &[f64; 2]| mesh.corner([x, *y, self.eye_mm + z]);
-            eye.iter().map(corner).collect()
+        let [low, high] = [self.foot_mm, self.length_mm].map(square);
+        let flat = |k: usize| {
+            let next = (k + 1) % 4;
+            Loop::Corners([low[k], low[next], high[next], high[k]])
         };
-        let left = side(&mut mesh, -half);
-        let right = side(&mut mesh, half);
-        mesh.face(&flat(1), &left, |[_, y, z]| [z, y], [self.eye_mm, 0.0]);
-        mesh.face(&flat(3), &right, |[_, y, z]| [y, z], [0.0, self.eye_mm]);
-        mesh.band(&left, &right);
-        mesh.polygon(&flat(2), |[x, _, z]| [x, z]);
-        match self.port {
-            Some(port) => port.bore(&mut mesh, &flat(0), &tip, half),
-            None => {
-                mesh.polygon(&flat(0), |[x, _, z]| [z, x]);
-                mesh.polygon(&tip, |[x, y, _]| [y, x]);
-            }
+        let mut profile = self.turned();
+        profile.dedup_by(|a, b| (a[0] - b[0]).hypot(a[1] - b[1]) < 1e-6);
+        let level = |[r, z]: [f64; 2]| Loop::Circle(Circle::about(Z, [0.0, 0.0, z], r));
+        let mut faces = revolved(&profile);
+        let [tip, root] = [profile[0], profile[profile.len() - 1]].map(level);
+        // Under the head, or the top of the collar around it.
+        let (down, below) = match self.collar_mm {
+            Some(_) => (Z, [root, Loop::Corners(low)]),
+            None => (minus(Z), [Loop::Corners(low), root]),
+        };
+        let mut nose = vec![tip];
+        let mut front = vec![flat(0)];
+        if let Some(port) = self.port {
+            let (r, p, height) = (0.5 * port.hole_mm, 0.5 * port.passage_mm, port.height_mm);
+            let [mouth, floor] =
+                [half, half - port.depth_mm].map(|y| Circle::about(Y, [0.0, y, height], r));
+            let entry = Circle::about(Z, [0.0; 3], p);
+            let met = Loop::Smooth(met([r, p], height));
+            let mut wall = Face::round(mouth, floor);
+            wall.lines.push(met.clone());
+            front.push(Loop::Circle(mouth));
+            nose.push(Loop::Circle(entry));
+            let mut passage = Face::round(Circle::about(Z, [0.0, 0.0, height], p), entry);
+            passage.lines[0] = met;
+            faces.extend([wall, passage, Face::flat(Y, [Loop::Circle(floor)])]);
         }
-        mesh
+        let [left, right] = [-half, half].map(|x| self.eye(x));
+        faces.extend([
+            Face::flat(minus(Z), nose),
+            Face::flat(down, below),
+            Face::flat(Z, [Loop::Corners(high)]),
+            Face::flat(Y, front),
+            Face::flat(minus(X), [flat(1), Loop::Circle(left)]),
+            Face::flat(minus(Y), [flat(2)]),
+            Face::flat(X, [flat(3), Loop::Circle(right)]),
+            Face::round(right, left),
+        ]);
+        faces
+    }
+
+    pub fn mesh(&self) -> Mesh {
+        Mesh::of(&self.body())
     }
 
     /// The surface as it stands on the printer: on the end of its head.
@@ -454,54 +463,5 @@ impl Port {
             thread_mm,
             passage_mm,
         }
-    }
-
-    /// Where the passage ends on the wall of the hole: points around it.
-    pub(crate) fn met(&self, count: usize) -> Vec<[f64; 3]> {
-        let (r, p) = (0.5 * self.hole_mm, 0.5 * self.passage_mm);
-        let place = |i: usize| {
-            let (sin, cos) = (TAU * i as f64 / count as f64).sin_cos();
-            let x = p * cos;
-            [x, p * sin, self.height_mm - (r * r - x * x).sqrt()]
-        };
-        (0..count).map(place).collect()
-    }
-
-    /// The hole of the thread in a flat, the passage from the tip of the stem, and where they meet.
-    fn bore(&self, mesh: &mut Mesh, flat: &[usize], tip: &[usize], half: f64) {
-        let (r, p, height) = (0.5 * self.hole_mm, 0.5 * self.passage_mm, self.height_mm);
-        let mut around = |y: f64| -> Ring {
-            let corner = |i: usize| {
-                let (sin, cos) = (TAU * i as f64 / FACETS as f64).sin_cos();
-                mesh.corner([r * sin, y, height + r * cos])
-            };
-            (0..FACETS).map(corner).collect()
-        };
-        let mouth = around(half);
-        let floor = around(half - self.depth_mm);
-        mesh.face(flat, &mouth, |[x, _, z]| [z, x], [height, 0.0]);
-        mesh.polygon(&floor, |[x, _, z]| [z, x]);
-        // The passage ends on the wall of the hole.
-        let below = mesh.ring([p, 0.0]);
-        let above: Ring = self
-            .met(FACETS)
-            .into_iter()
-            .map(|at| mesh.corner(at))
-            .collect();
-        mesh.band(&below, tip);
-        mesh.band(&above, &below);
-        // The wall of the hole: a part about the passage, and the rest.
-        let reach = ((p / r).asin() / TAU * FACETS as f64).ceil() as usize + 4;
-        let middle = FACETS / 2;
-        let (from, to) = (middle - reach, middle + reach);
-        let part: Ring = (from..=to)
-            .map(|i| mouth[i])
-            .chain((from..=to).rev().map(|i| floor[i]))
-            .collect();
-        let unrolled = |[x, y, z]: [f64; 3]| [y, r * (-x).atan2(height - z)];
-        mesh.face(&part, &above, unrolled, [0.0; 2]);
-        let rest =
-            |ring: &[usize]| -> Ring { (to..=from + FACETS).map(|i| ring[i % FACETS]).collect() };
-        mesh.strip(&rest(&mouth), &rest(&floor));
     }
 }
