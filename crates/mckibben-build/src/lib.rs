@@ -29,6 +29,7 @@ mod readme;
 mod safety;
 mod sheets;
 mod shown;
+mod sold;
 mod stem;
 mod step;
 mod test_points;

@@ -6,6 +6,7 @@ use crate::{
     fitting::Fitting,
     frame::Bar,
     mesh::Mesh,
+    sold::sold,
     stem::Stem,
 };
 use std::f64::consts::{PI, SQRT_2};
@@ -29,21 +30,19 @@ pub const BOLTS_MM: [(f64, f64); 15] = [
     (64.0, 70.0),
 ];
 /// Square bars as they are sold (EN 754-4), in mm.
-const BARS_MM: [f64; 18] = [
-    8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 60.0, 70.0, 80.0, 90.0, 100.0,
-    120.0, 160.0,
+const BARS_MM: [u16; 18] = [
+    8, 10, 12, 15, 20, 25, 30, 35, 40, 45, 50, 60, 70, 80, 90, 100, 120, 160,
 ];
 /// What saw and lathe take of a bar in mm (a choice).
 const SAW_MM: f64 = 5.0;
 /// Round bars as they are sold (EN 754-3), in mm.
-const ROUNDS_MM: [f64; 25] = [
-    8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 30.0, 32.0, 35.0, 40.0, 45.0, 50.0,
-    55.0, 60.0, 65.0, 70.0, 80.0, 90.0, 100.0, 120.0, 150.0,
+const ROUNDS_MM: [u16; 25] = [
+    8, 10, 12, 14, 16, 18, 20, 22, 25, 28, 30, 32, 35, 40, 45, 50, 55, 60, 65, 70, 80, 90, 100,
+    120, 150,
 ];
 /// Lengths of bolts as they are sold (ISO 888) in mm, up to ten times their diameter (ISO 4014).
-const BOLT_LENGTHS_MM: [f64; 18] = [
-    16.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 55.0, 60.0, 70.0, 80.0, 90.0, 100.0, 120.0,
-    140.0, 160.0, 200.0,
+const BOLT_LENGTHS_MM: [u16; 18] = [
+    16, 20, 25, 30, 35, 40, 45, 50, 55, 60, 70, 80, 90, 100, 120, 140, 160, 200,
 ];
 const LONGEST_BOLT: f64 = 10.0;
 /// Classes of bolts with their yield strength in MPa (ISO 898-1; the harder ones are sold as socket
@@ -111,6 +110,15 @@ pub struct Stress {
 }
 
 impl Stress {
+    pub(crate) fn steel(what: &'static str, mpa: f64, yields_mpa: f64) -> Self {
+        Self {
+            what,
+            mpa,
+            yields_mpa,
+            factor: BOLT_FACTOR,
+        }
+    }
+
     pub(crate) fn is_borne(&self) -> bool {
         self.factor * self.mpa <= self.yields_mpa
     }
@@ -191,20 +199,18 @@ impl Plug {
         bolt: Bolt,
     ) -> Self {
         let hole_mm = hole_mm(bolt.mm);
-        let flat_mm = fitting.map_or(0.0, |f| f.thread.sizes_mm().2);
+        let flat_mm = fitting.map_or(0.0, |f| f.thread.sizes_mm[2]);
         let needed_mm = (flat_mm + 1.0).max(2.2 * hole_mm);
         let (widest_mm, margin_mm) = match stem.shoulder_mm {
             Some(_) => (stem.widest_mm(), COLLAR_BEHIND_MM),
             None => (stem.widest_mm().max(outer_mm), COLLAR_MM.1),
         };
-        let bar = BARS_MM.into_iter().find(|bar| *bar >= needed_mm);
+        let bar = sold(&BARS_MM, |mm| mm >= needed_mm);
         let collar_mm = widest_mm + 2.0 * margin_mm;
         let turned = bar.filter(|bar| material != PETG && SQRT_2 * bar <= collar_mm);
         // The end of a printed head is its foot on the printer, so that nothing overhangs.
         let wide_mm = needed_mm.max(widest_mm + 2.0).ceil();
-        let wide_bar = BARS_MM
-            .into_iter()
-            .find(|bar| *bar >= wide_mm && material != PETG);
+        let wide_bar = sold(&BARS_MM, |mm| mm >= wide_mm && material != PETG);
         let side_mm = turned.or(wide_bar).unwrap_or(wide_mm);
         let collar_mm = turned.map(|_| collar_mm);
         let foot_mm = stem.length_mm + collar_mm.map_or(0.0, |_| COLLAR_MM.0);
@@ -239,18 +245,10 @@ impl Plug {
         let (side, bolt, hole) = (self.side_mm, self.bolt.mm, self.hole_mm);
         let root = ROOT * bolt;
         let moment = load_n * (side + 2.0 * bolt) / 8.0;
-        let steel = |what, mpa, yields_mpa| Stress {
-            what,
-            mpa,
-            yields_mpa,
-            factor: BOLT_FACTOR,
-        };
         let strength_mpa = self.material.strength_mpa;
         let own = |what, area: f64, yields_mpa| Stress {
-            what,
-            mpa: load_n / area,
-            yields_mpa,
             factor: MATERIAL_FACTOR,
+            ..Stress::steel(what, load_n / area, yields_mpa)
         };
         let circle = |d: f64| 0.25 * PI * d * d;
         let (passage, port) = self
@@ -259,12 +257,12 @@ impl Plug {
         let edge = self.length_mm - self.eye_mm - 0.5 * hole;
         vec![
             self.bolt.bar.stress(bolt, load_n),
-            steel(
+            Stress::steel(
                 "bolt, bending",
                 32.0 * moment / (PI * root.powi(3)),
                 self.bolt.yields_mpa,
             ),
-            steel(
+            Stress::steel(
                 "bolt, shear",
                 4.0 / 3.0 * load_n / (2.0 * circle(root)),
                 SHEAR * self.bolt.yields_mpa,
@@ -306,8 +304,8 @@ impl Plug {
         match self.collar_mm {
             _ if self.is_printed() => name.into(),
             Some(collar) => {
-                let sold = ROUNDS_MM.into_iter().find(|mm| *mm > collar);
-                format!("{name}, round bar {} mm", sold.unwrap_or(collar.ceil()))
+                let round_mm = sold(&ROUNDS_MM, |mm| mm > collar);
+                format!("{name}, round bar {} mm", round_mm.unwrap_or(collar.ceil()))
             }
             None => format!("{name}, square bar {} mm", self.side_mm),
         }
@@ -326,8 +324,8 @@ impl Plug {
     /// nut.
     pub(crate) fn bolt_length_mm(&self) -> f64 {
         let least_mm = self.side_mm + 3.3 * self.bolt.mm + 1.0;
-        let sold = BOLT_LENGTHS_MM.into_iter().find(|mm| *mm >= least_mm);
-        sold.unwrap_or((least_mm / 20.0).ceil() * 20.0)
+        let length_mm = sold(&BOLT_LENGTHS_MM, |mm| mm >= least_mm);
+        length_mm.unwrap_or((least_mm / 20.0).ceil() * 20.0)
     }
 
     pub fn mass_g(&self) -> f64 {
@@ -449,7 +447,7 @@ impl Plug {
 
 impl Port {
     fn new(fitting: Fitting, stem: &Stem, foot_mm: f64, side_mm: f64) -> Self {
-        let (hole_mm, thread_mm, flat_mm) = fitting.thread.sizes_mm();
+        let [hole_mm, thread_mm, flat_mm] = fitting.thread.sizes_mm;
         let root_mm = stem.root_mm();
         // Two thirds of the stem are its wall.
         let passage_mm = (root_mm / 3.0).min(4.0).min(0.8 * hole_mm);

@@ -4,6 +4,7 @@
 use crate::{
     Plan,
     plug::Plug,
+    sold::first,
     stem::{RIB_MM, RIBS_END_MM},
     text::{mm, significant, trimmed},
     view::View,
@@ -25,8 +26,7 @@ const SCALES: [f64; 12] = [
 
 /// The largest scale at which something fits.
 pub fn largest(fits: impl Fn(f64) -> bool) -> f64 {
-    let fits = SCALES.into_iter().find(|s| fits(*s));
-    fits.unwrap_or(SCALES[SCALES.len() - 1])
+    first(&SCALES, fits)
 }
 
 /// An empty sheet that says below what it shows, and what holds for all its dimensions.
@@ -115,10 +115,7 @@ fn turned(plan: &Plan, plug: &Plug) -> Part {
 /// The plug as seen from its head.
 fn end(plan: &Plan, plug: &Plug, v: &mut View<'_>) {
     let half = 0.5 * plug.side_mm;
-    v.outline(
-        Outline,
-        &[[-half, -half], [half, -half], [half, half], [-half, half]],
-    );
+    v.rectangle([-half, half], [-half, half]);
     let reach = 0.5 * plug.widest_mm() + 2.5 / v.scale;
     v.line(Axis, &[[-reach, 0.0], [reach, 0.0]]);
     v.line(Axis, &[[0.0, -reach], [0.0, reach]]);

@@ -214,6 +214,9 @@ fn runs_about(direction: Point, corners: &[Point]) -> bool {
 /// The plug as a file.
 pub fn text(plug: &Plug, name: &str) -> String {
     let mut step = Step::default();
+    CONTEXT.iter().for_each(|line| {
+        step.add(line);
+    });
     let faces: Vec<Id> = plug.body().iter().map(|face| step.face(face)).collect();
     let shell = step.unnamed("CLOSED_SHELL", &[&list(faces)]);
     let solid = step.add(&format!("MANIFOLD_SOLID_BREP('{name}',{shell})"));
@@ -228,35 +231,30 @@ pub fn text(plug: &Plug, name: &str) -> String {
     )
 }
 
+/// The first lines of a file: units, how exact it is, and what its product is for.
+const CONTEXT: [&str; 9] = [
+    "(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))",
+    "(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))",
+    "(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())",
+    "UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-04),#1,'','')",
+    "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#4))\
+     GLOBAL_UNIT_ASSIGNED_CONTEXT((#1,#2,#3))REPRESENTATION_CONTEXT('',''))",
+    "APPLICATION_CONTEXT('automotive design')",
+    "APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,#6)",
+    "PRODUCT_CONTEXT('',#6,'mechanical')",
+    "PRODUCT_DEFINITION_CONTEXT('',#6,'design')",
+];
+
 /// What makes a product of a solid.
 fn product(step: &mut Step, solid: Id, plug: &Plug, name: &str) {
-    let mm = step.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
-    let radian = step.add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
-    let solid_angle = step.add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
-    let exact = step.add(&format!(
-        "UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-04),{mm},'','')"
-    ));
-    let context = step.add(&format!(
-        "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({exact}))\
-         GLOBAL_UNIT_ASSIGNED_CONTEXT(({mm},{radian},{solid_angle}))REPRESENTATION_CONTEXT('',''))"
-    ));
     let axes = step.axes([0.0; 3], Z);
     let shape = step.add(&format!(
-        "ADVANCED_BREP_SHAPE_REPRESENTATION('{name}',({axes},{solid}),{context})"
+        "ADVANCED_BREP_SHAPE_REPRESENTATION('{name}',({axes},{solid}),#5)"
     ));
-    let application = step.add("APPLICATION_CONTEXT('automotive design')");
-    step.add(&format!(
-        "APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,\
-         {application})"
-    ));
-    let of_product = step.unnamed("PRODUCT_CONTEXT", &[&application, &"'mechanical'"]);
     let material = plug.material.name;
-    let product = step.add(&format!(
-        "PRODUCT('{name}','{name}','{material}',({of_product}))"
-    ));
+    let product = step.add(&format!("PRODUCT('{name}','{name}','{material}',(#8))"));
     let formation = step.unnamed("PRODUCT_DEFINITION_FORMATION", &[&"''", &product]);
-    let design = step.unnamed("PRODUCT_DEFINITION_CONTEXT", &[&application, &"'design'"]);
-    let definition = step.unnamed("PRODUCT_DEFINITION", &[&"''", &formation, &design]);
+    let definition = step.unnamed("PRODUCT_DEFINITION", &[&"''", &formation, &"#9"]);
     let of_shape = step.unnamed("PRODUCT_DEFINITION_SHAPE", &[&"''", &definition]);
     step.add(&format!(
         "SHAPE_DEFINITION_REPRESENTATION({of_shape},{shape})"
