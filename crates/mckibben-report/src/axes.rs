@@ -250,12 +250,17 @@ impl<'a> Grid<'a, '_> {
             return Ok(0.0);
         }
         let axes = self.axes(i, self.aligned(all, i))?;
-        Ok(self.legend(i, (0.0, 0.0), axes.frame.plot.w).frame.h + 4.0)
+        Ok(self.legend(i, (0.0, 0.0), axes.frame.plot.w).height + 4.0)
     }
 
-    fn legend(&self, i: usize, (x, y): (f64, f64), width: f64) -> Legend {
-        let entries = legend::fitted(legend::entries(&self.panels[i]), self.metrics, 0.8 * width);
-        legend::rows(&entries, self.metrics, x, y, width)
+    fn legend(&self, i: usize, at: (f64, f64), width: f64) -> Legend {
+        legend::rows(
+            legend::entries(&self.panels[i]),
+            self.metrics,
+            at,
+            width,
+            0.8,
+        )
     }
 
     /// The gutters of a panel so that its plot lines up with those of its column and row.
