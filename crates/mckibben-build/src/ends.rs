@@ -205,30 +205,28 @@ impl Ends {
         };
         let made = made.unwrap_or(usual);
         let has_ties = made == Tied || (made == Crimped && is_narrow);
-        let (band_mm, at_each_end) = match made {
-            Tied => (tie.width_mm, ties.min(MOST_TIES as f64) as usize),
-            EndsMade::Clamped => (clamp_mm, clamps.min(MOST_CLAMPS) as usize),
-            Crimped if is_narrow => (tie.width_mm, 1),
-            Crimped => (clamp_mm, 1),
+        let at_each_end = match made {
+            Tied => ties.min(MOST_TIES as f64) as usize,
+            EndsMade::Clamped => clamps.min(MOST_CLAMPS) as usize,
+            Crimped => 1,
         };
         let press = (made == Crimped).then(|| match is_wide {
             true => Press::BoltClamps((most_n / bolted_n()[0]).ceil().max(1.0) as usize),
             false => Press::Ferrule(Ferrule::new(tube, most_n)),
         });
-        let all = |count: usize, each: [f64; 2]| each.map(|n| count as f64 * n);
-        let holds_n = match (made, press) {
-            (_, Some(Press::BoltClamps(count))) => all(count, bolted_n()),
-            (_, Some(Press::Ferrule(ferrule))) => ferrule.holds_n(),
-            (Tied, _) => all(at_each_end, [tie.holds_n(); 2]),
-            _ => all(at_each_end, squeezed),
+        let (count, each_n) = match press {
+            Some(Press::BoltClamps(count)) => (count, bolted_n()),
+            Some(Press::Ferrule(ferrule)) => (1, ferrule.holds_n()),
+            None if has_ties => (at_each_end, [tie.holds_n(); 2]),
+            None => (at_each_end, squeezed),
         };
         Self {
             made,
-            band_mm,
+            band_mm: if has_ties { tie.width_mm } else { clamp_mm },
             at_each_end,
             has_ties,
             press,
-            holds_n,
+            holds_n: each_n.map(|n| count as f64 * n),
         }
     }
 

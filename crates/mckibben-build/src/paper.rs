@@ -173,10 +173,14 @@ fn cut_list(plan: &Plan) -> [Part; 3] {
             format!("{at}; {trim} are trimmed before the second end is closed"),
         ],
     ];
-    let cell = |f: &dyn Fn(&SleeveLength) -> String| sleeve.by_diameter.iter().map(f).collect();
-    let named = |name: &str, cells: Vec<String>| [vec![name.to_owned()], cells].concat();
-    let wide = named("sleeve is wide", cell(&|row| shown.bare(row.diameter_mm)));
-    let long = named("cut to", cell(&|row| shown.bare(row.length_mm.round())));
+    let row = |name: &str, mm: fn(&SleeveLength) -> f64| {
+        let cells = sleeve.by_diameter.iter().map(|row| shown.bare(mm(row)));
+        [name.to_owned()].into_iter().chain(cells).collect()
+    };
+    let by_diameter = vec![
+        row("sleeve is wide", |row| row.diameter_mm),
+        row("cut to", |row| row.length_mm.round()),
+    ];
     let (strand, unit) = (shown.length(sleeve.strand_mm.round()), shown.length.name);
     let strands = sleeve.strands.map_or_else(String::new, |n| {
         format!(" It has {n} strands{}.", plan.estimate())
@@ -188,7 +192,7 @@ fn cut_list(plan: &Plan) -> [Part; 3] {
              short and a narrow one is long.{strands} Measure its diameter where you cut it, and \
              take the length from this table ({unit}):"
         )),
-        Part::table(&[], vec![wide, long]),
+        Part::table(&[], by_diameter),
     ]
 }
 

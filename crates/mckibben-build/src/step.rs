@@ -10,18 +10,11 @@ use crate::{
 use mckibben_core::joined;
 use std::{
     collections::HashMap,
-    fmt::{self, Display, Write as _},
+    fmt::{Display, Write as _},
 };
 
-/// The number of a line.
-#[derive(Debug, Clone, Copy)]
-struct Id(usize);
-
-impl Display for Id {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "#{}", self.0)
-    }
-}
+/// The number of a line, as `#12`.
+type Id = String;
 
 /// An edge of a loop, and whether it runs forwards.
 type Edge = (Id, bool);
@@ -54,11 +47,12 @@ fn sense(yes: bool) -> &'static str {
 
 impl Step {
     fn add(&mut self, entity: &str) -> Id {
-        let next = Id(self.known.len() + 1);
-        *self.known.entry(entity.to_owned()).or_insert_with(|| {
+        let next = format!("#{}", self.known.len() + 1);
+        let id = self.known.entry(entity.to_owned()).or_insert_with(|| {
             let _ = writeln!(self.data, "{next}={entity};");
             next
-        })
+        });
+        id.clone()
     }
 
     /// An entity whose name is empty.

@@ -42,22 +42,15 @@ pub fn points(operating: &Operating) -> Vec<TestPoint> {
             _ => all,
         };
         up.dedup();
-        let point = |branch| {
-            move |pressure_mpa| TestPoint {
-                pressure_mpa,
-                contraction,
-                branch,
-            }
-        };
-        out.extend(up.iter().copied().map(point(Direction::Contraction)));
         // Where it turns there is one point.
-        out.extend(
-            up.iter()
-                .rev()
-                .skip(1)
-                .copied()
-                .map(point(Direction::Elongation)),
-        );
+        let down = up.iter().rev().skip(1);
+        let up = up.iter().map(|p| (p, Direction::Contraction));
+        let both = up.chain(down.map(|p| (p, Direction::Elongation)));
+        out.extend(both.map(|(pressure_mpa, branch)| TestPoint {
+            pressure_mpa: *pressure_mpa,
+            contraction,
+            branch,
+        }));
     }
     out
 }

@@ -54,29 +54,25 @@ pub type Extents = (Option<(f64, f64)>, Option<(f64, f64)>);
 
 /// Extents of the data of a panel.
 pub fn extents(panel: &Panel) -> Extents {
-    let within = |axis: &Axis, v: f64| axis.range.is_none_or(|(low, high)| v >= low && v <= high);
-    let marks = panel.marks.iter().map(|m| (false, (m.x, m.y)));
-    let points: Vec<(bool, (f64, f64))> = panel
-        .series
-        .iter()
-        .flat_map(|s| {
-            s.points
-                .iter()
-                .map(|point| (s.style == Style::Band, *point))
-        })
-        .chain(marks)
-        .filter(|(_, (x, y))| x.is_finite() && y.is_finite())
-        .filter(|(_, (x, y))| within(&panel.x, *x) && within(&panel.y, *y))
-        .collect();
-    let lines = ticks::extent(points.iter().filter(|p| !p.0).map(|p| p.1.1));
-    let all = ticks::extent(points.iter().map(|p| p.1.1));
+    let within = |axis: &Axis, v: f64| {
+        v.is_finite() && axis.range.is_none_or(|(low, high)| v >= low && v <= high)
+    };
+    let points = |has_bands: bool| {
+        let series = panel.series.iter();
+        let drawn = series.filter(move |s| has_bands || s.style != Style::Band);
+        let marks = panel.marks.iter().map(|m| (m.x, m.y));
+        let all = drawn.flat_map(|s| s.points.iter().copied()).chain(marks);
+        all.filter(|(x, y)| within(&panel.x, *x) && within(&panel.y, *y))
+    };
+    let lines = ticks::extent(points(false).map(|p| p.1));
+    let all = ticks::extent(points(true).map(|p| p.1));
     let y = lines.zip(all).map(|((low, high), (least, most))| {
         // A band that is wider than its line does not fill the axis: the frame cuts it.
         let low = if panel.y.from_zero { low.min(0.0) } else { low };
         let room = 0.5 * (high - low).max(0.5 * high.abs().max(low.abs()));
         (least.max(low - room), most.min(high + room))
     });
-    (ticks::extent(points.iter().map(|p| p.1.0)), y.or(all))
+    (ticks::extent(points(true).map(|p| p.0)), y.or(all))
 }
 
 /// Room kept on the four sides of a plot.
@@ -246,7 +242,7 @@ impl<'a> Grid<'a, '_> {
 
     /// Room for the legend below a panel, where each has one.
     fn room_below(&self, all: &[Gutters], i: usize) -> Result<f64> {
-        if !self.has_legends || legend::entries(&self.panels[i]).is_empty() {
+        if !self.has_legends || legend::entries(&self.panels[i..=i]).is_empty() {
             return Ok(0.0);
         }
         let axes = self.axes(i, self.aligned(all, i))?;
@@ -255,7 +251,7 @@ impl<'a> Grid<'a, '_> {
 
     fn legend(&self, i: usize, at: (f64, f64), width: f64) -> Legend {
         legend::rows(
-            legend::entries(&self.panels[i]),
+            legend::entries(&self.panels[i..=i]),
             self.metrics,
             at,
             width,

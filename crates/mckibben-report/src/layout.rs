@@ -108,7 +108,7 @@ pub fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>> {
     };
     check_paper(width_mm, height_mm)?;
     let common = if single {
-        Some(legend::entries(&figure.panels[0]))
+        Some(legend::entries(&figure.panels))
     } else {
         legend::shared(&figure.panels)
     };

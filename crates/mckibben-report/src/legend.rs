@@ -39,10 +39,10 @@ impl Legend {
     }
 }
 
-/// The entries of a panel, each once.
-pub fn entries(panel: &Panel) -> Vec<Entry> {
+/// The entries of some panels, each once.
+pub fn entries(panels: &[Panel]) -> Vec<Entry> {
     let mut all = Vec::new();
-    for (colour, series) in panel.numbered() {
+    for (colour, series) in panels.iter().flat_map(Panel::numbered) {
         let entry = Entry {
             label: series.label.clone(),
             style: series.style,
@@ -58,21 +58,16 @@ pub fn entries(panel: &Panel) -> Vec<Entry> {
 /// The entries of all panels if one legend can serve them all: most of them are common,
 /// and no sample stands for two different texts.
 pub fn shared(panels: &[Panel]) -> Option<Vec<Entry>> {
-    let each: Vec<_> = panels.iter().map(entries).collect();
-    let most = each.iter().map(Vec::len).max().unwrap_or(0);
-    let with_entries = each.iter().filter(|e| !e.is_empty()).count();
-    let mut all: Vec<Entry> = Vec::new();
-    for entry in each.into_iter().flatten() {
-        if !all.contains(&entry) {
-            all.push(entry);
-        }
-    }
+    let counts = panels.chunks(1).map(|panel| entries(panel).len());
+    let counts: Vec<usize> = counts.filter(|count| *count > 0).collect();
+    let all = entries(panels);
     let clash = all.iter().enumerate().any(|(i, a)| {
         all[..i]
             .iter()
             .any(|b| a.style == b.style && a.colour == b.colour)
     });
-    (with_entries > 1 && all.len() <= most + 2 && !clash).then_some(all)
+    let most = counts.iter().max()?;
+    (counts.len() > 1 && all.len() <= most + 2 && !clash).then_some(all)
 }
 
 /// Rows of entries set one after the other within a width, with texts shortened to what fits beside a
