@@ -128,9 +128,8 @@ impl Frame {
         let scale = largest(|s| s * size[0] <= WIDTH_MM - 30.0 && s * size[1] <= 70.0);
         let load = plan.shown.force(plan.loads.proof_end_load_high_n);
         let title = format!("Frame for {load}, without the nearer bars");
-        let mut sheet = sheets::sheet(plan, &title, scale, scale * size[1] + 24.0);
         let mut v = View {
-            sheet: &mut sheet,
+            sheet: sheets::sheet(plan, &title, scale, scale * size[1] + 24.0),
             origin: [0.5 * WIDTH_MM, 6.0 + 0.5 * scale * size[1]],
             scale,
         };
@@ -170,6 +169,6 @@ impl Frame {
         v.across((-half, half), (body, body), row, &faces);
         let between = plan.shown.bare(2.0 * reach_mm);
         v.beside((-reach_mm, reach_mm), rod, scale * rod + 6.0, &between);
-        sheet
+        v.sheet
     }
 }

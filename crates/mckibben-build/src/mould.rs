@@ -82,17 +82,6 @@ impl Mould {
     pub fn syringes(&self) -> f64 {
         (self.mixed_mm3 / SYRINGE_MM3).ceil()
     }
-
-    /// Time in minutes in which a rubber of a density in kg/m³ sinks through the gap.
-    pub fn sinks_min(&self, rubber: &Castable, density_kg_per_m3: f64) -> f64 {
-        let gap_mm = 0.5 * (self.bore_mm - self.rod_mm);
-        sinks_min(
-            rubber.viscosity_pa_s,
-            density_kg_per_m3,
-            gap_mm,
-            self.vents_mm - SPIGOT_MM,
-        )
-    }
 }
 
 /// The cap, on its flange.

@@ -20,14 +20,14 @@ const HATCH_MM: f64 = 1.4;
 const THIN_MM: f64 = 1.0;
 
 /// A body drawn at a scale: `origin` is where its point (0, 0) lies on the sheet.
-pub struct View<'a> {
-    pub sheet: &'a mut DrawingSheet,
+pub struct View {
+    pub sheet: DrawingSheet,
     pub origin: [f64; 2],
     /// mm on paper for each mm of the body.
     pub scale: f64,
 }
 
-impl View<'_> {
+impl View {
     /// Where a point of the body lies on the sheet.
     pub fn on_sheet(&self, x: f64, y: f64) -> [f64; 2] {
         [
@@ -172,7 +172,7 @@ impl View<'_> {
     fn extended(&mut self, ends: [[f64; 2]; 2], across: usize, offset: f64, text: &str) {
         let is_upright = across == 0;
         let along = 1 - across;
-        let sheet = &mut *self.sheet;
+        let sheet = &mut self.sheet;
         let place = self.origin[across] + offset;
         let at = |v: f64, w: f64| if is_upright { [w, v] } else { [v, w] };
         for end in ends {

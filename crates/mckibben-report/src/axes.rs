@@ -2,7 +2,7 @@
 
 use crate::{
     curve::Frame,
-    figure::{Axis, FigureError, Panel, Result, Series, Style},
+    figure::{Axis, FigureError, Panel, Result, Style},
     font::{Metrics, PANEL_TITLE},
     labels::{self, Label},
     legend::{self, Legend},
@@ -219,24 +219,38 @@ impl<'a> Grid<'a, '_> {
             gutters.bottom =
                 TICK_LENGTH + TICK + 8.0 + axes.x_label.len() as f64 * LABEL_ROW + power_alone;
         }
-        gutters.right = gutters.right.max(self.end_room(i, &self.axes(i, gutters)?));
+        gutters.right = gutters
+            .right
+            .max(self.end_room(i, &self.axes(i, gutters)?.frame));
         Ok(gutters)
     }
 
+    /// The lines that are named at their ends.
+    fn ended(&self, i: usize, frame: &Frame) -> Vec<Ended> {
+        let panel = &self.panels[i];
+        let is_explained = |number: usize| {
+            panel
+                .numbered()
+                .any(|(other, s)| other == number && !s.label.trim().is_empty())
+        };
+        let ended = panel.numbered().filter_map(|(number, s)| {
+            let text = s.end_label.trim();
+            Some(Ended {
+                text: text.to_owned(),
+                colour: (!s.neutral && !is_explained(number)).then_some(number),
+                line: frame.line(&s.points).pop().filter(|_| !text.is_empty())?,
+            })
+        });
+        ended.collect()
+    }
+
     /// Room for the texts of lines that end at the right edge.
-    fn end_room(&self, i: usize, axes: &Axes) -> f64 {
-        let frame = &axes.frame;
-        let at_edge = self.panels[i]
-            .series
+    fn end_room(&self, i: usize, frame: &Frame) -> f64 {
+        let ended = self.ended(i, frame);
+        let at_edge = ended
             .iter()
-            .filter(|s| !s.end_label.trim().is_empty())
-            .filter(|s| {
-                frame
-                    .line(&s.points)
-                    .last()
-                    .is_some_and(|line| line_labels::reaches_edge(line, &axes.frame.plot))
-            });
-        let width = |s: &Series| self.metrics.width(s.end_label.trim(), labels::SIZE) + 9.0;
+            .filter(|ended| line_labels::reaches_edge(&ended.line, &frame.plot));
+        let width = |ended: &Ended| self.metrics.width(&ended.text, labels::SIZE) + 9.0;
         at_edge.map(width).fold(0.0, f64::max)
     }
 
@@ -296,22 +310,8 @@ impl<'a> Grid<'a, '_> {
             )));
         }
         let mut labels = labels::for_marks(&panel.marks, &axes.frame, metrics, &mut room);
-        let is_explained = |number: usize| {
-            panel
-                .numbered()
-                .any(|(other, s)| other == number && !s.label.trim().is_empty())
-        };
-        let ended = panel
-            .numbered()
-            .filter(|(_, s)| !s.end_label.trim().is_empty())
-            .filter_map(|(number, s)| {
-                Some(Ended {
-                    text: s.end_label.trim().to_owned(),
-                    colour: (!s.neutral && !is_explained(number)).then_some(number),
-                    line: axes.frame.line(&s.points).pop()?,
-                })
-            });
-        labels.extend(line_labels::for_lines(ended.collect(), metrics, &mut room));
+        let ended = self.ended(index, &axes.frame);
+        labels.extend(line_labels::for_lines(ended, metrics, &mut room));
         let text = metrics.fit(&panel.title, PANEL_TITLE, cell.w);
         Ok(Placed {
             panel,

@@ -85,11 +85,7 @@ pub fn cheapest(
 
 /// Notes the rings of the marks, so that texts keep away from all of them.
 pub fn add_rings(marks: &[Mark], frame: &Frame, room: &mut Room) {
-    for spot in marks
-        .iter()
-        .filter_map(|m| frame.spot((m.x, m.y)))
-        .filter(|s| frame.plot.has(*s))
-    {
+    for spot in marks.iter().filter_map(|m| frame.mark(m)) {
         room.add_box(Rect::about(spot, RING + 1.0));
     }
 }

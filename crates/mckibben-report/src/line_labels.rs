@@ -30,7 +30,6 @@ pub fn for_lines(lines: Vec<Ended>, metrics: &Metrics, room: &mut Room) -> Vec<L
     let plot = room.plot;
     let (edge, inner): (Vec<_>, Vec<_>) = lines
         .into_iter()
-        .filter(|l| !l.line.is_empty())
         .partition(|l| reaches_edge(&l.line, &plot));
     let mut labels = beside_plot(edge, &plot);
     labels.extend(inner.into_iter().map(|line| along(line, metrics, room)));
