@@ -82,18 +82,14 @@ impl Cut {
             let angle = helix?.angle_deg(diameter)?;
             Some(strand_mm * angle.to_radians().cos())
         };
-        let entry = braid
-            .sleeve
-            .as_ref()
-            .and_then(|shape| library::entry(&shape.name).ok());
+        let shape = braid.sleeve.as_ref();
+        let ends = shape.map(|shape| (shape.least_mm, shape.largest_mm));
+        let entry = shape.and_then(|shape| library::entry(&shape.name).ok());
         // A name by its nominal size may be below what the sleeve closes to.
-        let least_mm = braid.sleeve.as_ref().map_or(0.0, |shape| shape.least_mm);
+        let least_mm = ends.map_or(0.0, |ends| ends.0);
         let sold = entry.and_then(|e| e.nominal_mm).map(|d| d.max(least_mm));
         let relaxed = relaxed_diameter_mm.or(sold).filter(|d| at(*d).is_some());
-        let ends = braid
-            .sleeve
-            .as_ref()
-            .map_or((0.6 * on_mm, 1.2 * on_mm), |s| (s.least_mm, s.largest_mm));
+        let ends = ends.unwrap_or((0.6 * on_mm, 1.2 * on_mm));
         // As far as muscles of it go, and no further than it opens.
         let low = ends.0.min(on_mm);
         let high = ends

@@ -15,8 +15,8 @@ const ROOM_MM: [f64; 2] = [WIDTH_MM - 12.0, 60.0];
 /// Thickness of a tie or clamp as it is drawn, in mm.
 const BAND_MM: f64 = 1.2;
 
-/// The drawing as wide as the text of a page.
-pub fn on_paper(plan: &Plan) -> DrawingSheet {
+/// The drawing of the muscle, as wide as the text of a page.
+pub fn drawing(plan: &Plan) -> DrawingSheet {
     let half = 0.5 * plan.muscle.length_mm();
     let clamped = 0.5 * plan.clamped_diameter_mm;
     let widest = (clamped + BAND_MM).max(0.5 * plan.air_plug.widest_mm());
@@ -24,9 +24,8 @@ pub fn on_paper(plan: &Plan) -> DrawingSheet {
     let [left, right] = [&plan.air_plug, &plan.eye_plug].map(beyond);
     let size = [left + right, 2.0 * widest];
     let scale = largest(|s| s * size[0] <= ROOM_MM[0] && s * size[1] <= ROOM_MM[1]);
-    let mut sheet = sheets::sheet(plan, &plan.title(), scale, 38.0 + scale * size[1]);
-    let v = &mut View {
-        sheet: &mut sheet,
+    let mut v = View {
+        sheet: sheets::sheet(plan, &plan.title(), scale, 38.0 + scale * size[1]),
         origin: [
             0.5 * (WIDTH_MM + scale * (left - right)),
             8.0 + scale * widest,
@@ -54,11 +53,11 @@ pub fn on_paper(plan: &Plan) -> DrawingSheet {
         }
         v.plug(plug, side * half, side);
     }
-    measures(plan, v, widest);
-    sheet
+    measures(plan, &mut v, widest);
+    v.sheet
 }
 
-fn measures(plan: &Plan, v: &mut View<'_>, widest: f64) {
+fn measures(plan: &Plan, v: &mut View, widest: f64) {
     let (muscle, operating) = (&plan.muscle, &plan.operating);
     let half = 0.5 * muscle.length_mm();
     let end = half + muscle.insertion_mm();

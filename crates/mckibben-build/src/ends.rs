@@ -9,6 +9,7 @@
 //! The limits are choices: no pull-off force of a clamp on a muscle was found in any source. So
 //! every end is proved.
 
+use crate::sold::first;
 use mckibben_core::{
     by_number::ByNumber,
     muscle::EndsMade::{self, Crimped, Tied},
@@ -56,9 +57,8 @@ const NUT_FACTOR: f64 = 0.2;
 const ON_METAL: [f64; 2] = [0.5 * FRICTION, FRICTION];
 
 /// Precision steel tubes (EN 10305-1): outer diameters and walls in mm.
-const STEEL_MM: [f64; 20] = [
-    6.0, 8.0, 10.0, 12.0, 14.0, 15.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 30.0, 32.0, 35.0, 38.0,
-    40.0, 42.0, 45.0, 50.0,
+const STEEL_MM: [u16; 20] = [
+    6, 8, 10, 12, 14, 15, 16, 18, 20, 22, 25, 28, 30, 32, 35, 38, 40, 42, 45, 50,
 ];
 const STEEL_WALLS_MM: [f64; 4] = [2.5, 2.0, 1.5, 1.0];
 /// Yield strength in MPa of their steel E235, normalized (+N; EN 10305-1).
@@ -93,7 +93,7 @@ impl Ferrule {
     /// millimetre of its diameter is worth 10 mm of its length (a choice).
     pub fn new(over: Clamped, load_n: f64) -> Self {
         let all = STEEL_MM.iter().flat_map(|outer_mm| {
-            STEEL_WALLS_MM.map(|wall_mm| Self::of([*outer_mm, wall_mm], over, load_n))
+            STEEL_WALLS_MM.map(|wall_mm| Self::of([f64::from(*outer_mm), wall_mm], over, load_n))
         });
         let fits = all.filter(|f| f.bore_mm() >= over.diameter_mm + FERRULE_PLAY_MM);
         fits.min_by_number(|f| f.outer_mm + 0.1 * f.length_mm)
@@ -143,8 +143,7 @@ impl Tie {
 
     /// The tie for a stem.
     fn around(stem_mm: f64) -> Self {
-        let fits = TIES.into_iter().find(|tie| stem_mm <= tie.stem_mm);
-        fits.unwrap_or(TIES[TIES.len() - 1])
+        first(&TIES, |tie| stem_mm <= tie.stem_mm)
     }
 
     /// Its holding force in N by friction: 2π μ T.
@@ -206,30 +205,28 @@ impl Ends {
         };
         let made = made.unwrap_or(usual);
         let has_ties = made == Tied || (made == Crimped && is_narrow);
-        let (band_mm, at_each_end) = match made {
-            Tied => (tie.width_mm, ties.min(MOST_TIES as f64) as usize),
-            EndsMade::Clamped => (clamp_mm, clamps.min(MOST_CLAMPS) as usize),
-            Crimped if is_narrow => (tie.width_mm, 1),
-            Crimped => (clamp_mm, 1),
+        let at_each_end = match made {
+            Tied => ties.min(MOST_TIES as f64) as usize,
+            EndsMade::Clamped => clamps.min(MOST_CLAMPS) as usize,
+            Crimped => 1,
         };
         let press = (made == Crimped).then(|| match is_wide {
             true => Press::BoltClamps((most_n / bolted_n()[0]).ceil().max(1.0) as usize),
             false => Press::Ferrule(Ferrule::new(tube, most_n)),
         });
-        let all = |count: usize, each: [f64; 2]| each.map(|n| count as f64 * n);
-        let holds_n = match (made, press) {
-            (_, Some(Press::BoltClamps(count))) => all(count, bolted_n()),
-            (_, Some(Press::Ferrule(ferrule))) => ferrule.holds_n(),
-            (Tied, _) => all(at_each_end, [tie.holds_n(); 2]),
-            _ => all(at_each_end, squeezed),
+        let (count, each_n) = match press {
+            Some(Press::BoltClamps(count)) => (count, bolted_n()),
+            Some(Press::Ferrule(ferrule)) => (1, ferrule.holds_n()),
+            None if has_ties => (at_each_end, [tie.holds_n(); 2]),
+            None => (at_each_end, squeezed),
         };
         Self {
             made,
-            band_mm,
+            band_mm: if has_ties { tie.width_mm } else { clamp_mm },
             at_each_end,
             has_ties,
             press,
-            holds_n,
+            holds_n: each_n.map(|n| count as f64 * n),
         }
     }
 

@@ -1,5 +1,6 @@
 //! The connection of the hose.
 
+use crate::sold::first;
 use std::{fmt, str::FromStr};
 use thiserror::Error;
 
@@ -11,42 +12,46 @@ pub struct Fitting {
     pub hose_mm: Option<f64>,
 }
 
-/// A thread for fittings.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Thread {
-    /// M3 × 0.5.
-    M3,
-    /// M5 × 0.8.
-    M5,
-    /// G1/8 (ISO 228-1).
-    G18,
-    /// G1/4 (ISO 228-1).
-    G14,
+/// A thread for fittings; lengths in mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Thread {
+    name: &'static str,
+    /// Hole for the tap (ISO 2306), length of the thread, and diameter of the flat on which the
+    /// seal lies. Lengths and flats are choices: about those of fittings on sale.
+    pub(crate) sizes_mm: [f64; 3],
+    /// Outer diameter of the tube of a push-in fitting, as they are sold with it.
+    tube_mm: u32,
+    /// Largest bore of the hose of a barb, as they are sold with it.
+    hose_mm: f64,
+    /// The default for a muscle whose tube is below this. A choice: the head is then about as wide as
+    /// the muscle.
+    muscle_mm: f64,
 }
 
 impl Thread {
-    const ALL: [Self; 4] = [Self::M3, Self::M5, Self::G18, Self::G14];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::M3 => "M3",
-            Self::M5 => "M5",
-            Self::G18 => "G1/8",
-            Self::G14 => "G1/4",
-        }
-    }
-
-    /// Hole for the tap (ISO 2306), length of the thread, and diameter of the flat on which the
-    /// seal lies, in mm. Lengths and flats are choices: about those of fittings on sale.
-    pub(crate) fn sizes_mm(self) -> (f64, f64, f64) {
-        match self {
-            Self::M3 => (2.5, 4.0, 6.5),
-            Self::M5 => (4.2, 6.0, 10.0),
-            Self::G18 => (8.8, 9.0, 15.0),
-            Self::G14 => (11.8, 12.0, 19.0),
+    const fn new(
+        name: &'static str,
+        sizes_mm: [f64; 3],
+        tube_mm: u32,
+        [hose_mm, muscle_mm]: [f64; 2],
+    ) -> Self {
+        Self {
+            name,
+            sizes_mm,
+            tube_mm,
+            hose_mm,
+            muscle_mm,
         }
     }
 }
+
+/// Metric threads, and those of ISO 228-1.
+const THREADS: [Thread; 4] = [
+    Thread::new("M3", [2.5, 4.0, 6.5], 4, [2.5, 8.0]),
+    Thread::new("M5", [4.2, 6.0, 10.0], 4, [4.0, 15.0]),
+    Thread::new("G1/8", [8.8, 9.0, 15.0], 6, [8.0, f64::INFINITY]),
+    Thread::new("G1/4", [11.8, 12.0, 19.0], 8, [13.0, f64::INFINITY]),
+];
 
 /// A word that names no fitting.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
@@ -57,24 +62,10 @@ impl Thread {
 pub struct UnknownFitting(String);
 
 impl Fitting {
-    /// Hoses for which barbs with one of the threads are sold, in mm: up to each of these.
-    const HOSES_MM: [(f64, Thread); 4] = [
-        (2.5, Thread::M3),
-        (4.0, Thread::M5),
-        (8.0, Thread::G18),
-        (13.0, Thread::G14),
-    ];
-
-    /// The default for a tube of an outer diameter in mm. A choice: the head is then about as wide
-    /// as the muscle.
+    /// The default for a tube of an outer diameter in mm.
     pub(crate) fn usual(outer_diameter_mm: f64) -> Self {
-        let thread = match outer_diameter_mm {
-            ..8.0 => Thread::M3,
-            ..15.0 => Thread::M5,
-            _ => Thread::G18,
-        };
         Self {
-            thread,
+            thread: first(&THREADS, |thread| outer_diameter_mm < thread.muscle_mm),
             hose_mm: None,
         }
     }
@@ -84,18 +75,9 @@ impl Fitting {
         match self.hose_mm {
             Some(mm) => format!("barb for a hose with a bore of {mm} mm, thread {self}"),
             None => {
-                let mm = self.tube_mm();
+                let mm = self.thread.tube_mm;
                 format!("push-in fitting for a tube of {mm} mm, thread {self}, with its seal")
             }
-        }
-    }
-
-    /// Outer diameter in mm of the tube of a push-in fitting, as they are sold with its thread.
-    fn tube_mm(self) -> u32 {
-        match self.thread {
-            Thread::M3 | Thread::M5 => 4,
-            Thread::G18 => 6,
-            Thread::G14 => 8,
         }
     }
 
@@ -103,14 +85,17 @@ impl Fitting {
     pub(crate) fn hose(self) -> String {
         match self.hose_mm {
             Some(mm) => format!("hose with a bore of {mm} mm"),
-            None => format!("tube of polyurethane or polyamide, {} mm", self.tube_mm()),
+            None => format!(
+                "tube of polyurethane or polyamide, {} mm",
+                self.thread.tube_mm
+            ),
         }
     }
 }
 
 impl fmt::Display for Fitting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.thread.name())
+        f.write_str(self.thread.name)
     }
 }
 
@@ -120,8 +105,8 @@ impl FromStr for Fitting {
     fn from_str(text: &str) -> Result<Self, UnknownFitting> {
         let word: String = text.chars().take(40).collect();
         let plain = word.trim().to_lowercase();
-        let mut threads = Thread::ALL.into_iter();
-        if let Some(thread) = threads.find(|t| t.name().eq_ignore_ascii_case(&plain)) {
+        let mut threads = THREADS.into_iter();
+        if let Some(thread) = threads.find(|t| t.name.eq_ignore_ascii_case(&plain)) {
             return Ok(Self {
                 thread,
                 hose_mm: None,
@@ -132,9 +117,9 @@ impl FromStr for Fitting {
         let hose_mm = bore
             .filter(|mm| *mm >= 1.0)
             .ok_or(UnknownFitting(word.clone()))?;
-        let thread = Self::HOSES_MM.iter().find(|(most, _)| hose_mm <= *most);
+        let thread = THREADS.into_iter().find(|t| hose_mm <= t.hose_mm);
         Ok(Self {
-            thread: thread.ok_or(UnknownFitting(word))?.1,
+            thread: thread.ok_or(UnknownFitting(word))?,
             hose_mm: Some(hose_mm),
         })
     }

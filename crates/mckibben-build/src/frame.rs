@@ -5,6 +5,7 @@ use crate::{
     Plan,
     plug::{BOLT_FACTOR, BOLTS_MM, CLASSES, Plug, ROOT, Stress, hole_mm},
     sheets::{self, WIDTH_MM, largest},
+    sold::{first, sold},
     view::View,
 };
 use mckibben_core::analysis::STRETCH;
@@ -13,12 +14,8 @@ use std::f64::consts::PI;
 
 /// Flat bars as they are sold (EN 10058): thicknesses and widths in mm; yield strength of their steel
 /// S235JR in MPa (EN 10025-2).
-const FLATS_MM: [f64; 12] = [
-    3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0, 30.0, 40.0, 60.0,
-];
-const WIDTHS_MM: [f64; 14] = [
-    10.0, 12.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 50.0, 60.0, 70.0, 80.0, 100.0, 150.0,
-];
+const FLATS_MM: [u16; 12] = [3, 4, 5, 6, 8, 10, 12, 15, 20, 30, 40, 60];
+const WIDTHS_MM: [u16; 14] = [10, 12, 15, 20, 25, 30, 35, 40, 50, 60, 70, 80, 100, 150];
 const YIELDS_MPA: f64 = 235.0;
 /// From the largest diameter of the muscle to the axis of a rod, for fitting and hose, in mm, and how
 /// far a rod goes on beyond the bars (choices).
@@ -40,17 +37,16 @@ pub struct Bar {
 impl Bar {
     /// The narrowest bar, no thicker than the bolt, for a load in N of an end of a muscle.
     pub(crate) fn new(bolt_mm: f64, outer_mm: f64, load_n: f64) -> Self {
-        let thinner = FLATS_MM.into_iter().rfind(|mm| *mm <= bolt_mm);
-        let bar = |width_mm| Self {
-            width_mm,
-            thick_mm: thinner.unwrap_or(FLATS_MM[0]),
+        let mut flats = FLATS_MM.into_iter().map(f64::from);
+        let thinner = flats.rfind(|mm| *mm <= bolt_mm);
+        let bar = |width_mm: u16| Self {
+            width_mm: width_mm.into(),
+            thick_mm: thinner.unwrap_or(FLATS_MM[0].into()),
             reach_mm: (0.5 * outer_mm + REACH_MM).ceil(),
         };
-        let mut all = WIDTHS_MM
-            .into_iter()
-            .filter(|mm| *mm >= 2.0 * hole_mm(bolt_mm));
-        let bears = |mm: &f64| bar(*mm).stress(bolt_mm, load_n).is_borne();
-        bar(all.find(bears).unwrap_or(WIDTHS_MM[WIDTHS_MM.len() - 1]))
+        bar(first(&WIDTHS_MM, |mm| {
+            f64::from(mm) >= 2.0 * hole_mm(bolt_mm) && bar(mm).stress(bolt_mm, load_n).is_borne()
+        }))
     }
 
     /// Each bar carries a half of the load in the middle of both rods: M = F r/4, on a section with the
@@ -58,19 +54,11 @@ impl Bar {
     pub fn stress(&self, bolt_mm: f64, load_n: f64) -> Stress {
         let (width, hole) = (self.width_mm, hole_mm(bolt_mm));
         let section = self.thick_mm * (width.powi(3) - hole.powi(3)) / (6.0 * width);
-        steel(
+        Stress::steel(
             "bar of the frame, bending",
             0.25 * load_n * self.reach_mm / section,
+            YIELDS_MPA,
         )
-    }
-}
-
-fn steel(what: &'static str, mpa: f64) -> Stress {
-    Stress {
-        what,
-        mpa,
-        yields_mpa: YIELDS_MPA,
-        factor: BOLT_FACTOR,
     }
 }
 
@@ -89,14 +77,13 @@ pub struct Frame {
 /// The rod in mm of class 8.8 that bears a load in N along it, and does not buckle between joints at a
 /// distance: P = π² E I/L² (Budynas & Nisbett 2011 \[budynas2011\], section 4-12).
 pub fn rod_mm(load_n: f64, length_mm: f64) -> f64 {
-    let bears = |mm: &f64| {
+    let bears = |(mm, _): (f64, f64)| {
         let root = ROOT * mm;
         let buckles_n = PI.powi(3) * STEEL_MPA * root.powi(4) / (64.0 * length_mm * length_mm);
         let area = 0.25 * PI * root * root;
         BOLT_FACTOR * load_n <= CLASSES[0].1 * area && BUCKLING * load_n <= buckles_n
     };
-    let mut all = BOLTS_MM.into_iter().map(|bolt| bolt.0);
-    all.find(bears).unwrap_or(BOLTS_MM[BOLTS_MM.len() - 1].0)
+    first(&BOLTS_MM, bears).0
 }
 
 impl Frame {
@@ -108,19 +95,17 @@ impl Frame {
         let between = |plug: &Plug| plug.eye_mm - plug.stem.length_mm;
         let apart_mm = plan.faces_mm(-STRETCH) + between(plug) + between(&plan.eye_plug);
         let rod_mm = rod_mm(0.5 * load_n, apart_mm);
-        let sold_mm = WIDTHS_MM.into_iter().find(|mm| *mm >= 2.5 * rod_mm);
-        let width_mm = sold_mm.unwrap_or(2.5 * rod_mm);
-        let frame = |thick_mm| Self {
+        let width_mm = 2.5 * rod_mm;
+        let width_mm = sold(&WIDTHS_MM, |mm| mm >= width_mm).unwrap_or(width_mm);
+        let frame = |thick_mm: u16| Self {
             bar,
             bar_length_mm: 2.0 * bar.reach_mm + width_mm,
-            bridge_mm: [side_mm + 2.0 * bar.thick_mm, width_mm, thick_mm],
+            bridge_mm: [side_mm + 2.0 * bar.thick_mm, width_mm, thick_mm.into()],
             rod_mm,
             rod_length_mm: (apart_mm + bar.width_mm + 2.0 * BEYOND_MM).ceil(),
         };
-        let mut all = FLATS_MM.into_iter().map(frame);
-        let bears = |frame: &Self| frame.stress(load_n).is_borne();
-        all.find(bears)
-            .unwrap_or(frame(FLATS_MM[FLATS_MM.len() - 1]))
+        let bears = |thick_mm| frame(thick_mm).stress(load_n).is_borne();
+        frame(first(&FLATS_MM, bears))
     }
 
     /// A bridge carries a half of the load of an end from bar to bar, a length l − t: M = F (l − t)/8.
@@ -128,7 +113,7 @@ impl Frame {
         let [length, width, thick] = self.bridge_mm;
         let section = (width - hole_mm(self.rod_mm)) * thick * thick / 6.0;
         let moment = 0.125 * load_n * (length - self.bar.thick_mm);
-        steel("bridge of the frame, bending", moment / section)
+        Stress::steel("bridge of the frame, bending", moment / section, YIELDS_MPA)
     }
 
     /// The frame with the muscle in it, with the nearer bars left out.
@@ -143,9 +128,8 @@ impl Frame {
         let scale = largest(|s| s * size[0] <= WIDTH_MM - 30.0 && s * size[1] <= 70.0);
         let load = plan.shown.force(plan.loads.proof_end_load_high_n);
         let title = format!("Frame for {load}, without the nearer bars");
-        let mut sheet = sheets::sheet(plan, &title, scale, scale * size[1] + 24.0);
         let mut v = View {
-            sheet: &mut sheet,
+            sheet: sheets::sheet(plan, &title, scale, scale * size[1] + 24.0),
             origin: [0.5 * WIDTH_MM, 6.0 + 0.5 * scale * size[1]],
             scale,
         };
@@ -185,6 +169,6 @@ impl Frame {
         v.across((-half, half), (body, body), row, &faces);
         let between = plan.shown.bare(2.0 * reach_mm);
         v.beside((-reach_mm, reach_mm), rod, scale * rod + 6.0, &between);
-        sheet
+        v.sheet
     }
 }

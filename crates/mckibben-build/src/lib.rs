@@ -10,6 +10,7 @@
 
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
+mod body;
 mod cut;
 mod drawing;
 #[doc(hidden)]
@@ -28,6 +29,7 @@ mod readme;
 mod safety;
 mod sheets;
 mod shown;
+mod sold;
 mod stem;
 mod step;
 mod test_points;
@@ -35,10 +37,12 @@ mod text;
 mod view;
 
 pub use cut::{Cut, SleeveCut, SleeveLength};
+pub use drawing::drawing;
 pub use ends::Ends;
 pub use fitting::{Fitting, Thread, UnknownFitting};
 pub use material::BuildPart;
 pub use mesh::Mesh;
+pub use paper::paper;
 pub use plan::{EndParts, Plan, USUAL_PROOF, Wishes};
 pub use plug::{Bolt, Material, Plug, Port, Stress};
 #[doc(hidden)]
@@ -51,20 +55,8 @@ pub use test_points::{TestPoint, is_blank_sheet};
 pub use mckibben_io::files::{Content, File};
 pub use mckibben_report::FigureError;
 
-use mckibben_report::{Document, DrawingSheet};
-
 /// The program, in the first line of a file.
 const MARK: &str = "mckibben build";
-
-/// The drawing of the muscle.
-pub fn drawing(plan: &Plan) -> DrawingSheet {
-    drawing::on_paper(plan)
-}
-
-/// The paper: what to heed, what to order, drawings, steps, and the record.
-pub fn paper(plan: &Plan) -> Document {
-    paper::document(plan)
-}
 
 /// All files, the first page first, which links to the others.
 pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
@@ -76,16 +68,23 @@ pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
     let bill = material::csv(plan).map_err(|e| FigureError::Drawing(e.to_string()))?;
     let mut out = vec![paper, File::text("bom.csv", "what to buy", bill)];
     for (name, plug) in [("air-plug", &plan.air_plug), ("eye-plug", &plan.eye_plug)] {
-        out.push(if plug.is_printed() {
-            let about = "plug as it lies on the printer";
-            File::bytes(
-                format!("bodies/{name}.stl"),
-                about,
-                plug.printed().to_stl(MARK),
-            )
-        } else {
-            let about = "plug to be turned and milled";
-            File::text(format!("bodies/{name}.step"), about, step::text(plug, name))
+        let (ending, about, content) = match plug.is_printed() {
+            true => (
+                "stl",
+                "plug as it lies on the printer",
+                Content::Bytes(plug.printed().to_stl(MARK)),
+            ),
+            false => (
+                "step",
+                "plug to be turned and milled",
+                Content::Text(step::text(plug, name)),
+            ),
+        };
+        let name = format!("bodies/{name}.{ending}");
+        out.push(File {
+            name,
+            about,
+            content,
         });
     }
     if plan.is_cast() {

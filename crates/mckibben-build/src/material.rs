@@ -17,23 +17,23 @@ use mckibben_design::tubes::{self, TubePart};
 /// Tolerance of equal diameters of part and muscle, in mm.
 const SAME_MM: f64 = 0.011;
 /// Ranges of hose clamps as they are sold (DIN 3017-1), in mm.
-const RANGES_MM: [[f64; 2]; 16] = [
-    [8.0, 12.0],
-    [10.0, 16.0],
-    [12.0, 22.0],
-    [16.0, 27.0],
-    [20.0, 32.0],
-    [25.0, 40.0],
-    [32.0, 50.0],
-    [40.0, 60.0],
-    [50.0, 70.0],
-    [60.0, 80.0],
-    [70.0, 90.0],
-    [80.0, 100.0],
-    [90.0, 110.0],
-    [100.0, 120.0],
-    [120.0, 140.0],
-    [140.0, 160.0],
+const RANGES_MM: [[u16; 2]; 16] = [
+    [8, 12],
+    [10, 16],
+    [12, 22],
+    [16, 27],
+    [20, 32],
+    [25, 40],
+    [32, 50],
+    [40, 60],
+    [50, 70],
+    [60, 80],
+    [70, 90],
+    [80, 100],
+    [90, 110],
+    [100, 120],
+    [120, 140],
+    [140, 160],
 ];
 /// A line of the bill.
 #[serde_with_macros::skip_serializing_none]
@@ -237,7 +237,7 @@ fn of_a_muscle(plan: &Plan) -> Vec<BuildPart> {
         format!("{band} mm wide, PA 66")
     } else {
         let [from, to] = [plan.squeezed_mm(), plan.clamped_diameter_mm];
-        let mut sold = RANGES_MM.into_iter();
+        let mut sold = RANGES_MM.map(|range| range.map(f64::from)).into_iter();
         let sold = sold.find(|[low, high]| *low <= from && to <= *high);
         let [from, to] = sold.unwrap_or([from, to]).map(|mm| significant(mm, 3));
         format!("DIN 3017-1, {from} to {to} mm, band {band} mm")

@@ -1,7 +1,7 @@
 //! The mould of a cast tube: a rod in a pipe, centred by two caps, how much rubber it takes, and how
 //! long that flows.
 
-use crate::{Cut, mesh::Mesh};
+use crate::{Cut, body::revolved, mesh::Mesh};
 use mckibben_core::load::GRAVITY_M_PER_S2;
 use serde::Deserialize;
 
@@ -82,17 +82,6 @@ impl Mould {
     pub fn syringes(&self) -> f64 {
         (self.mixed_mm3 / SYRINGE_MM3).ceil()
     }
-
-    /// Time in minutes in which a rubber of a density in kg/m³ sinks through the gap.
-    pub fn sinks_min(&self, rubber: &Castable, density_kg_per_m3: f64) -> f64 {
-        let gap_mm = 0.5 * (self.bore_mm - self.rod_mm);
-        sinks_min(
-            rubber.viscosity_pa_s,
-            density_kg_per_m3,
-            gap_mm,
-            self.vents_mm - SPIGOT_MM,
-        )
-    }
 }
 
 /// The cap, on its flange.
@@ -100,17 +89,13 @@ pub fn cap(cut: &Cut) -> Mesh {
     let outer = 0.5 * (cut.tube_outer_diameter_mm - PLAY_MM);
     let bore = 0.5 * (cut.tube_outer_diameter_mm + PLAY_MM) - cut.tube_wall_mm;
     let (thick, wide) = FLANGE_MM;
-    let mut mesh = Mesh::default();
-    let profile = [
+    Mesh::of(&revolved(&[
         [outer + wide, 0.0],
         [outer + wide, thick],
         [outer, thick],
         [outer, thick + SPIGOT_MM],
         [bore, thick + SPIGOT_MM],
         [bore, 0.0],
-    ];
-    if let Some((first, last)) = mesh.bands(&profile) {
-        mesh.band(&last, &first);
-    }
-    mesh
+        [outer + wide, 0.0],
+    ]))
 }

@@ -4,7 +4,7 @@
 use crate::{
     BuildPart, Plan, SleeveLength,
     cut::TRIM_MM,
-    drawing,
+    drawing::drawing,
     ends::{BOLT_MM, BOLT_NM, FERRULE_ROOM_MM, Press},
     frame::Frame,
     material::density_kg_per_m3,
@@ -42,7 +42,8 @@ impl Plan {
     }
 }
 
-pub fn document(plan: &Plan) -> Document {
+/// The paper: what to heed, what to order, drawings, steps, and the record.
+pub fn paper(plan: &Plan) -> Document {
     let heading = Part::heading;
     let mut parts = vec![Stop(plan.stops()), limits(plan), heading("Order")];
     let part = |p: &BuildPart| {
@@ -54,7 +55,7 @@ pub fn document(plan: &Plan) -> Document {
     parts.push(Part::table(&head, plan.parts.iter().map(part).collect()));
     parts.extend([List(tools(plan)), heading("Cut list")]);
     parts.extend(cut_list(plan));
-    parts.push(Drawing(drawing::on_paper(plan)));
+    parts.push(Drawing(drawing(plan)));
     parts.push(heading("Plugs"));
     for (what, plug) in [("Air plug", &plan.air_plug), ("Eye plug", &plan.eye_plug)] {
         parts.extend(sheets::plug(plan, what, plug));
@@ -173,10 +174,14 @@ fn cut_list(plan: &Plan) -> [Part; 3] {
             format!("{at}; {trim} are trimmed before the second end is closed"),
         ],
     ];
-    let cell = |f: &dyn Fn(&SleeveLength) -> String| sleeve.by_diameter.iter().map(f).collect();
-    let named = |name: &str, cells: Vec<String>| [vec![name.to_owned()], cells].concat();
-    let wide = named("sleeve is wide", cell(&|row| shown.bare(row.diameter_mm)));
-    let long = named("cut to", cell(&|row| shown.bare(row.length_mm.round())));
+    let row = |name: &str, mm: fn(&SleeveLength) -> f64| {
+        let cells = sleeve.by_diameter.iter().map(|row| shown.bare(mm(row)));
+        [name.to_owned()].into_iter().chain(cells).collect()
+    };
+    let by_diameter = vec![
+        row("sleeve is wide", |row| row.diameter_mm),
+        row("cut to", |row| row.length_mm.round()),
+    ];
     let (strand, unit) = (shown.length(sleeve.strand_mm.round()), shown.length.name);
     let strands = sleeve.strands.map_or_else(String::new, |n| {
         format!(" It has {n} strands{}.", plan.estimate())
@@ -188,7 +193,7 @@ fn cut_list(plan: &Plan) -> [Part; 3] {
              short and a narrow one is long.{strands} Measure its diameter where you cut it, and \
              take the length from this table ({unit}):"
         )),
-        Part::table(&[], vec![wide, long]),
+        Part::table(&[], by_diameter),
     ]
 }
 
@@ -253,7 +258,9 @@ fn casting(plan: &Plan) -> Vec<String> {
     let flows = match stated.as_ref().zip(density) {
         None => format!("Viscosity and pot life of {name} are not in the catalogue: read its can."),
         Some((rubber, density)) => {
-            let minutes = mould.sinks_min(rubber, density);
+            let gap_mm = 0.5 * (mould.bore_mm - mould.rod_mm);
+            let length_mm = mould.vents_mm - mould::SPIGOT_MM;
+            let minutes = mould::sinks_min(rubber.viscosity_pa_s, density, gap_mm, length_mm);
             let pour = if 2.0 * minutes > rubber.pot_life_min {
                 "Do not pour it in from above"
             } else {
@@ -509,10 +516,9 @@ fn record(plan: &Plan) -> Part {
         [safety.proof_pressure_mpa, safety.leak_pressure_mpa].map(|p| shown.pressure(p));
     let [held, stretched] = [0.0, -STRETCH].map(|e| shown.length(plan.faces_mm(e)));
     let (turn, turn_mm) = turn(plan);
-    let lost = if plan.liquid {
-        "no spot"
-    } else {
-        "5 % of the pressure at most"
+    let (medium, lost) = match plan.liquid {
+        true => ("liquid", "no spot"),
+        false => ("air", "5 % of the pressure at most"),
     };
     let none = String::new;
     let rows = [
@@ -544,7 +550,7 @@ fn record(plan: &Plan) -> Part {
         ("then stretched, one minute", stretched),
         ("load of an end", plan.proof_load()),
         ("marks moved", "0 mm".into()),
-        ("leak test", format!("{leak}, {}", plan.medium())),
+        ("leak test", format!("{leak}, {medium}")),
         ("lost in five minutes", lost.into()),
         ("passed: tested by, date", none()),
     ];

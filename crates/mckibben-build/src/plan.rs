@@ -142,11 +142,6 @@ impl Plan {
         self.muscle.job().and_then(|job| job.count).unwrap_or(1)
     }
 
-    /// What fills the muscle.
-    pub fn medium(&self) -> &'static str {
-        if self.liquid { "liquid" } else { "air" }
-    }
-
     /// Whether the strands are known to be of aramid.
     pub fn is_aramid(&self) -> bool {
         let shape = self.muscle.braid().sleeve.as_ref();

@@ -2,12 +2,14 @@
 //! has one, the thread of a fitting in one of its flats, so that both ends carry the load.
 
 use crate::{
+    body::{Circle, FACETS, Face, Loop, X, Y, Z, met, minus, revolved},
     fitting::Fitting,
     frame::Bar,
-    mesh::{FACETS, Mesh, Ring},
+    mesh::Mesh,
+    sold::sold,
     stem::Stem,
 };
-use std::f64::consts::{FRAC_PI_4, PI, SQRT_2, TAU};
+use std::f64::consts::{PI, SQRT_2};
 
 /// Bolts and their holes (ISO 273, medium), in mm.
 pub const BOLTS_MM: [(f64, f64); 15] = [
@@ -28,21 +30,19 @@ pub const BOLTS_MM: [(f64, f64); 15] = [
     (64.0, 70.0),
 ];
 /// Square bars as they are sold (EN 754-4), in mm.
-const BARS_MM: [f64; 18] = [
-    8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 60.0, 70.0, 80.0, 90.0, 100.0,
-    120.0, 160.0,
+const BARS_MM: [u16; 18] = [
+    8, 10, 12, 15, 20, 25, 30, 35, 40, 45, 50, 60, 70, 80, 90, 100, 120, 160,
 ];
 /// What saw and lathe take of a bar in mm (a choice).
 const SAW_MM: f64 = 5.0;
 /// Round bars as they are sold (EN 754-3), in mm.
-const ROUNDS_MM: [f64; 25] = [
-    8.0, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 25.0, 28.0, 30.0, 32.0, 35.0, 40.0, 45.0, 50.0,
-    55.0, 60.0, 65.0, 70.0, 80.0, 90.0, 100.0, 120.0, 150.0,
+const ROUNDS_MM: [u16; 25] = [
+    8, 10, 12, 14, 16, 18, 20, 22, 25, 28, 30, 32, 35, 40, 45, 50, 55, 60, 65, 70, 80, 90, 100,
+    120, 150,
 ];
 /// Lengths of bolts as they are sold (ISO 888) in mm, up to ten times their diameter (ISO 4014).
-const BOLT_LENGTHS_MM: [f64; 18] = [
-    16.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 55.0, 60.0, 70.0, 80.0, 90.0, 100.0, 120.0,
-    140.0, 160.0, 200.0,
+const BOLT_LENGTHS_MM: [u16; 18] = [
+    16, 20, 25, 30, 35, 40, 45, 50, 55, 60, 70, 80, 90, 100, 120, 140, 160, 200,
 ];
 const LONGEST_BOLT: f64 = 10.0;
 /// Classes of bolts with their yield strength in MPa (ISO 898-1; the harder ones are sold as socket
@@ -110,6 +110,15 @@ pub struct Stress {
 }
 
 impl Stress {
+    pub(crate) fn steel(what: &'static str, mpa: f64, yields_mpa: f64) -> Self {
+        Self {
+            what,
+            mpa,
+            yields_mpa,
+            factor: BOLT_FACTOR,
+        }
+    }
+
     pub(crate) fn is_borne(&self) -> bool {
         self.factor * self.mpa <= self.yields_mpa
     }
@@ -190,20 +199,18 @@ impl Plug {
         bolt: Bolt,
     ) -> Self {
         let hole_mm = hole_mm(bolt.mm);
-        let flat_mm = fitting.map_or(0.0, |f| f.thread.sizes_mm().2);
+        let flat_mm = fitting.map_or(0.0, |f| f.thread.sizes_mm[2]);
         let needed_mm = (flat_mm + 1.0).max(2.2 * hole_mm);
         let (widest_mm, margin_mm) = match stem.shoulder_mm {
             Some(_) => (stem.widest_mm(), COLLAR_BEHIND_MM),
             None => (stem.widest_mm().max(outer_mm), COLLAR_MM.1),
         };
-        let bar = BARS_MM.into_iter().find(|bar| *bar >= needed_mm);
+        let bar = sold(&BARS_MM, |mm| mm >= needed_mm);
         let collar_mm = widest_mm + 2.0 * margin_mm;
         let turned = bar.filter(|bar| material != PETG && SQRT_2 * bar <= collar_mm);
         // The end of a printed head is its foot on the printer, so that nothing overhangs.
         let wide_mm = needed_mm.max(widest_mm + 2.0).ceil();
-        let wide_bar = BARS_MM
-            .into_iter()
-            .find(|bar| *bar >= wide_mm && material != PETG);
+        let wide_bar = sold(&BARS_MM, |mm| mm >= wide_mm && material != PETG);
         let side_mm = turned.or(wide_bar).unwrap_or(wide_mm);
         let collar_mm = turned.map(|_| collar_mm);
         let foot_mm = stem.length_mm + collar_mm.map_or(0.0, |_| COLLAR_MM.0);
@@ -238,18 +245,10 @@ impl Plug {
         let (side, bolt, hole) = (self.side_mm, self.bolt.mm, self.hole_mm);
         let root = ROOT * bolt;
         let moment = load_n * (side + 2.0 * bolt) / 8.0;
-        let steel = |what, mpa, yields_mpa| Stress {
-            what,
-            mpa,
-            yields_mpa,
-            factor: BOLT_FACTOR,
-        };
         let strength_mpa = self.material.strength_mpa;
         let own = |what, area: f64, yields_mpa| Stress {
-            what,
-            mpa: load_n / area,
-            yields_mpa,
             factor: MATERIAL_FACTOR,
+            ..Stress::steel(what, load_n / area, yields_mpa)
         };
         let circle = |d: f64| 0.25 * PI * d * d;
         let (passage, port) = self
@@ -258,12 +257,12 @@ impl Plug {
         let edge = self.length_mm - self.eye_mm - 0.5 * hole;
         vec![
             self.bolt.bar.stress(bolt, load_n),
-            steel(
+            Stress::steel(
                 "bolt, bending",
                 32.0 * moment / (PI * root.powi(3)),
                 self.bolt.yields_mpa,
             ),
-            steel(
+            Stress::steel(
                 "bolt, shear",
                 4.0 / 3.0 * load_n / (2.0 * circle(root)),
                 SHEAR * self.bolt.yields_mpa,
@@ -305,8 +304,8 @@ impl Plug {
         match self.collar_mm {
             _ if self.is_printed() => name.into(),
             Some(collar) => {
-                let sold = ROUNDS_MM.into_iter().find(|mm| *mm > collar);
-                format!("{name}, round bar {} mm", sold.unwrap_or(collar.ceil()))
+                let round_mm = sold(&ROUNDS_MM, |mm| mm > collar);
+                format!("{name}, round bar {} mm", round_mm.unwrap_or(collar.ceil()))
             }
             None => format!("{name}, square bar {} mm", self.side_mm),
         }
@@ -325,30 +324,21 @@ impl Plug {
     /// nut.
     pub(crate) fn bolt_length_mm(&self) -> f64 {
         let least_mm = self.side_mm + 3.3 * self.bolt.mm + 1.0;
-        let sold = BOLT_LENGTHS_MM.into_iter().find(|mm| *mm >= least_mm);
-        sold.unwrap_or((least_mm / 20.0).ceil() * 20.0)
+        let length_mm = sold(&BOLT_LENGTHS_MM, |mm| mm >= least_mm);
+        length_mm.unwrap_or((least_mm / 20.0).ceil() * 20.0)
     }
 
     pub fn mass_g(&self) -> f64 {
         self.material.density * self.mesh().volume_mm3()
     }
 
-    /// The hole of the bolt from its centre: along the axis and across. A printed one has a roof of
-    /// 45° towards the stem, which is up on the printer.
-    fn eye(&self) -> Vec<[f64; 2]> {
-        let r = 0.5 * self.hole_mm;
-        let at = |i: usize| {
-            let (sin, cos) = (TAU * i as f64 / FACETS as f64).sin_cos();
-            let is_roof = self.is_printed() && cos < -FRAC_PI_4.cos() - 1e-9;
-            // On the line from the end of the roof to its ridge.
-            let scale = if is_roof {
-                SQRT_2 / (sin.abs() + cos.abs())
-            } else {
-                1.0
-            };
-            [r * scale * cos, r * scale * sin]
-        };
-        (0..FACETS).map(at).collect()
+    /// The hole of the bolt at a distance from the axis. A printed one has a roof towards the stem, which
+    /// is up on the printer.
+    fn eye(&self, x: f64) -> Circle {
+        Circle {
+            has_roof: self.is_printed(),
+            ..Circle::about(X, [x, 0.0, self.eye_mm], 0.5 * self.hole_mm)
+        }
     }
 
     /// Radii and heights from the inner end to the head.
@@ -368,7 +358,10 @@ impl Plug {
         side.extend([[self.foot_mm, half], [self.length_mm, half]]);
         let mirrored = side.iter().rev().map(|[x, y]| [*x, -y]);
         let outline = side.iter().copied().chain(mirrored).collect();
-        let eye = self.eye().into_iter().map(|[z, y]| [self.eye_mm + z, y]);
+        let mut eye = self.eye(0.0).points();
+        // As seen along it, from the end of the head on.
+        eye.rotate_left(FACETS / 4 + 1);
+        let eye = eye.into_iter().rev().map(|[_, y, z]| [z, y]);
         let port = self.port.map(|port| {
             let (p, r, h) = (0.5 * port.passage_mm, 0.5 * port.hole_mm, port.height_mm);
             let floor = half - port.depth_mm;
@@ -386,46 +379,60 @@ impl Plug {
         (outline, [eye.collect()].into_iter().chain(port).collect())
     }
 
-    /// The surface, with the inner end of the stem at z = 0.
-    pub fn mesh(&self) -> Mesh {
-        let mut mesh = Mesh::default();
-        let Some((tip, root)) = mesh.bands(&self.turned()) else {
-            return mesh;
-        };
+    /// Its faces, with the inner end of the stem at z = 0.
+    pub(crate) fn body(&self) -> Vec<Face> {
         let half = 0.5 * self.side_mm;
-        let square = |mesh: &mut Mesh, z: f64| -> Ring {
+        let square = |z: f64| {
             [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]]
-                .map(|[x, y]| mesh.corner([half * x, half * y, z]))
-                .into()
+                .map(|[x, y]| [half * x, half * y, z])
         };
-        let low = square(&mut mesh, self.foot_mm);
-        let high = square(&mut mesh, self.length_mm);
-        let flat = |k: usize| vec![low[k], low[(k + 1) % 4], high[(k + 1) % 4], high[k]];
-        match self.collar_mm {
-            Some(_) => mesh.face(&root, &low, |[x, y, _]| [x, y], [0.0; 2]),
-            None => mesh.face(&low, &root, |[x, y, _]| [y, x], [0.0; 2]),
-        }
-        mesh.polygon(&high, |[x, y, _]| [x, y]);
-        // The hole of the bolt, from flat to flat.
-        let eye = self.eye();
-        let side = |mesh: &mut Mesh, x: f64| -> Ring {
-            let corner = |[z, y]: &[f64; 2]| mesh.corner([x, *y, self.eye_mm + z]);
-            eye.iter().map(corner).collect()
+        let [low, high] = [self.foot_mm, self.length_mm].map(square);
+        let flat = |k: usize| {
+            let next = (k + 1) % 4;
+            Loop::Corners([low[k], low[next], high[next], high[k]])
         };
-        let left = side(&mut mesh, -half);
-        let right = side(&mut mesh, half);
-        mesh.face(&flat(1), &left, |[_, y, z]| [z, y], [self.eye_mm, 0.0]);
-        mesh.face(&flat(3), &right, |[_, y, z]| [y, z], [0.0, self.eye_mm]);
-        mesh.band(&left, &right);
-        mesh.polygon(&flat(2), |[x, _, z]| [x, z]);
-        match self.port {
-            Some(port) => port.bore(&mut mesh, &flat(0), &tip, half),
-            None => {
-                mesh.polygon(&flat(0), |[x, _, z]| [z, x]);
-                mesh.polygon(&tip, |[x, y, _]| [y, x]);
-            }
+        let mut profile = self.turned();
+        profile.dedup_by(|a, b| (a[0] - b[0]).hypot(a[1] - b[1]) < 1e-6);
+        let level = |[r, z]: [f64; 2]| Loop::Circle(Circle::about(Z, [0.0, 0.0, z], r));
+        let mut faces = revolved(&profile);
+        let [tip, root] = [profile[0], profile[profile.len() - 1]].map(level);
+        // Under the head, or the top of the collar around it.
+        let (down, below) = match self.collar_mm {
+            Some(_) => (Z, [root, Loop::Corners(low)]),
+            None => (minus(Z), [Loop::Corners(low), root]),
+        };
+        let mut nose = vec![tip];
+        let mut front = vec![flat(0)];
+        if let Some(port) = self.port {
+            let (r, p, height) = (0.5 * port.hole_mm, 0.5 * port.passage_mm, port.height_mm);
+            let [mouth, floor] =
+                [half, half - port.depth_mm].map(|y| Circle::about(Y, [0.0, y, height], r));
+            let entry = Circle::about(Z, [0.0; 3], p);
+            let met = Loop::Smooth(met([r, p], height));
+            let mut wall = Face::round(mouth, floor);
+            wall.lines.push(met.clone());
+            front.push(Loop::Circle(mouth));
+            nose.push(Loop::Circle(entry));
+            let mut passage = Face::round(Circle::about(Z, [0.0, 0.0, height], p), entry);
+            passage.lines[0] = met;
+            faces.extend([wall, passage, Face::flat(Y, [Loop::Circle(floor)])]);
         }
-        mesh
+        let [left, right] = [-half, half].map(|x| self.eye(x));
+        faces.extend([
+            Face::flat(minus(Z), nose),
+            Face::flat(down, below),
+            Face::flat(Z, [Loop::Corners(high)]),
+            Face::flat(Y, front),
+            Face::flat(minus(X), [flat(1), Loop::Circle(left)]),
+            Face::flat(minus(Y), [flat(2)]),
+            Face::flat(X, [flat(3), Loop::Circle(right)]),
+            Face::round(right, left),
+        ]);
+        faces
+    }
+
+    pub fn mesh(&self) -> Mesh {
+        Mesh::of(&self.body())
     }
 
     /// The surface as it stands on the printer: on the end of its head.
@@ -440,7 +447,7 @@ impl Plug {
 
 impl Port {
     fn new(fitting: Fitting, stem: &Stem, foot_mm: f64, side_mm: f64) -> Self {
-        let (hole_mm, thread_mm, flat_mm) = fitting.thread.sizes_mm();
+        let [hole_mm, thread_mm, flat_mm] = fitting.thread.sizes_mm;
         let root_mm = stem.root_mm();
         // Two thirds of the stem are its wall.
         let passage_mm = (root_mm / 3.0).min(4.0).min(0.8 * hole_mm);
@@ -454,54 +461,5 @@ impl Port {
             thread_mm,
             passage_mm,
         }
-    }
-
-    /// Where the passage ends on the wall of the hole: points around it.
-    pub(crate) fn met(&self, count: usize) -> Vec<[f64; 3]> {
-        let (r, p) = (0.5 * self.hole_mm, 0.5 * self.passage_mm);
-        let place = |i: usize| {
-            let (sin, cos) = (TAU * i as f64 / count as f64).sin_cos();
-            let x = p * cos;
-            [x, p * sin, self.height_mm - (r * r - x * x).sqrt()]
-        };
-        (0..count).map(place).collect()
-    }
-
-    /// The hole of the thread in a flat, the passage from the tip of the stem, and where they meet.
-    fn bore(&self, mesh: &mut Mesh, flat: &[usize], tip: &[usize], half: f64) {
-        let (r, p, height) = (0.5 * self.hole_mm, 0.5 * self.passage_mm, self.height_mm);
-        let mut around = |y: f64| -> Ring {
-            let corner = |i: usize| {
-                let (sin, cos) = (TAU * i as f64 / FACETS as f64).sin_cos();
-                mesh.corner([r * sin, y, height + r * cos])
-            };
-            (0..FACETS).map(corner).collect()
-        };
-        let mouth = around(half);
-        let floor = around(half - self.depth_mm);
-        mesh.face(flat, &mouth, |[x, _, z]| [z, x], [height, 0.0]);
-        mesh.polygon(&floor, |[x, _, z]| [z, x]);
-        // The passage ends on the wall of the hole.
-        let below = mesh.ring([p, 0.0]);
-        let above: Ring = self
-            .met(FACETS)
-            .into_iter()
-            .map(|at| mesh.corner(at))
-            .collect();
-        mesh.band(&below, tip);
-        mesh.band(&above, &below);
-        // The wall of the hole: a part about the passage, and the rest.
-        let reach = ((p / r).asin() / TAU * FACETS as f64).ceil() as usize + 4;
-        let middle = FACETS / 2;
-        let (from, to) = (middle - reach, middle + reach);
-        let part: Ring = (from..=to)
-            .map(|i| mouth[i])
-            .chain((from..=to).rev().map(|i| floor[i]))
-            .collect();
-        let unrolled = |[x, y, z]: [f64; 3]| [y, r * (-x).atan2(height - z)];
-        mesh.face(&part, &above, unrolled, [0.0; 2]);
-        let rest =
-            |ring: &[usize]| -> Ring { (to..=from + FACETS).map(|i| ring[i % FACETS]).collect() };
-        mesh.strip(&rest(&mouth), &rest(&floor));
     }
 }

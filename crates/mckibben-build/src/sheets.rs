@@ -4,6 +4,7 @@
 use crate::{
     Plan,
     plug::Plug,
+    sold::first,
     stem::{RIB_MM, RIBS_END_MM},
     text::{mm, significant, trimmed},
     view::View,
@@ -25,8 +26,7 @@ const SCALES: [f64; 12] = [
 
 /// The largest scale at which something fits.
 pub fn largest(fits: impl Fn(f64) -> bool) -> f64 {
-    let fits = SCALES.into_iter().find(|s| fits(*s));
-    fits.unwrap_or(SCALES[SCALES.len() - 1])
+    first(&SCALES, fits)
 }
 
 /// An empty sheet that says below what it shows, and what holds for all its dimensions.
@@ -54,9 +54,8 @@ pub fn plug(plan: &Plan, what: &str, plug: &Plug) -> [Part; 3] {
     let mass = significant(plug.mass_g(), 3);
     let title = format!("{what}, {}, {mass} g", plug.stock());
     let height = scale * wide + 46.0;
-    let mut sheet = sheet(plan, &title, scale, height);
     let mut view = View {
-        sheet: &mut sheet,
+        sheet: sheet(plan, &title, scale, height),
         origin: [6.0 + 0.5 * scale * wide, 22.0 + 0.5 * scale * wide],
         scale,
     };
@@ -64,13 +63,13 @@ pub fn plug(plan: &Plan, what: &str, plug: &Plug) -> [Part; 3] {
     view.origin[0] += 0.5 * scale * wide + 24.0;
     section(plan, plug, &mut view);
     [
-        Part::Drawing(sheet),
+        Part::Drawing(view.sheet),
         turned(plan, plug),
         Part::List(notes(plan, plug)),
     ]
 }
 
-fn section(plan: &Plan, plug: &Plug, v: &mut View<'_>) {
+fn section(plan: &Plan, plug: &Plug, v: &mut View) {
     let stem = &plug.stem;
     v.plug(plug, stem.datum_mm, 1.0);
     let beyond = 4.0 / v.scale;
@@ -113,12 +112,9 @@ fn turned(plan: &Plan, plug: &Plug) -> Part {
 }
 
 /// The plug as seen from its head.
-fn end(plan: &Plan, plug: &Plug, v: &mut View<'_>) {
+fn end(plan: &Plan, plug: &Plug, v: &mut View) {
     let half = 0.5 * plug.side_mm;
-    v.outline(
-        Outline,
-        &[[-half, -half], [half, -half], [half, half], [-half, half]],
-    );
+    v.rectangle([-half, half], [-half, half]);
     let reach = 0.5 * plug.widest_mm() + 2.5 / v.scale;
     v.line(Axis, &[[-reach, 0.0], [reach, 0.0]]);
     v.line(Axis, &[[0.0, -reach], [0.0, reach]]);

@@ -2,9 +2,9 @@
 
 use crate::{
     Operating, Plan,
-    text::{mm, percent, significant, significant_n, trimmed},
+    text::{mm, percent, significant, trimmed},
 };
-use mckibben_core::{built::Measurement, muscle::Direction};
+use mckibben_core::{built::Measurement, muscle::Direction, units::rounded};
 
 /// A point of the test.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, schemars::JsonSchema)]
@@ -42,22 +42,15 @@ pub fn points(operating: &Operating) -> Vec<TestPoint> {
             _ => all,
         };
         up.dedup();
-        let point = |branch| {
-            move |pressure_mpa| TestPoint {
-                pressure_mpa,
-                contraction,
-                branch,
-            }
-        };
-        out.extend(up.iter().copied().map(point(Direction::Contraction)));
         // Where it turns there is one point.
-        out.extend(
-            up.iter()
-                .rev()
-                .skip(1)
-                .copied()
-                .map(point(Direction::Elongation)),
-        );
+        let down = up.iter().rev().skip(1);
+        let up = up.iter().map(|p| (p, Direction::Contraction));
+        let both = up.chain(down.map(|p| (p, Direction::Elongation)));
+        out.extend(both.map(|(pressure_mpa, branch)| TestPoint {
+            pressure_mpa: *pressure_mpa,
+            contraction,
+            branch,
+        }));
     }
     out
 }
@@ -82,6 +75,7 @@ const BLANK_ROWS: usize = 4;
 /// What is worth measuring, a comment each, and the rows for its reading beside those of the test.
 fn to_measure(plan: &Plan) -> (String, String) {
     let (operating, shown) = (&plan.operating, &plan.shown);
+    let half = |n| shown.force(rounded(n, 2, f64::round));
     let (mut text, mut rows) = Default::default();
     let Some(to_measure) = &operating.to_measure else {
         return (text, rows);
@@ -90,12 +84,12 @@ fn to_measure(plan: &Plan) -> (String, String) {
         "# At {} and {} the pull has a ± of {} (95 %). What leaves less of it, the best first:\n",
         shown.pressure(operating.pressure_mpa),
         percent(to_measure.contraction),
-        shown.force(significant_n(to_measure.uncertainty_n))
+        half(to_measure.uncertainty_n)
     );
     let p = trimmed(operating.pressure_mpa, 5);
     for left in &to_measure.left {
         let (what, minutes) = left.measurement.words();
-        let half = shown.force(significant_n(left.uncertainty_n));
+        let half = half(left.uncertainty_n);
         let mut place = "";
         match left.measurement {
             Measurement::HungLoad => rows += ",,,contraction,pressure,\n",

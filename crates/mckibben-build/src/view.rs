@@ -20,14 +20,14 @@ const HATCH_MM: f64 = 1.4;
 const THIN_MM: f64 = 1.0;
 
 /// A body drawn at a scale: `origin` is where its point (0, 0) lies on the sheet.
-pub struct View<'a> {
-    pub sheet: &'a mut DrawingSheet,
+pub struct View {
+    pub sheet: DrawingSheet,
     pub origin: [f64; 2],
     /// mm on paper for each mm of the body.
     pub scale: f64,
 }
 
-impl View<'_> {
+impl View {
     /// Where a point of the body lies on the sheet.
     pub fn on_sheet(&self, x: f64, y: f64) -> [f64; 2] {
         [
@@ -166,61 +166,51 @@ impl View<'_> {
         );
     }
 
-    /// A dimension whose line lies at `offset` from the origin along a coordinate, with extension
-    /// lines from both ends.
-    fn extended(&mut self, ends: [[f64; 2]; 2], along: usize, offset: f64, text: &str) {
-        let place = self.origin[along] + offset;
-        let moved = |end: [f64; 2], to: f64| {
-            if along == 0 {
-                [to, end[1]]
-            } else {
-                [end[0], to]
-            }
-        };
+    /// A dimension whose line lies at `offset` from the origin along a coordinate, with arrows,
+    /// extension lines from both ends, and its text: above a horizontal one, to the left of an upright
+    /// one. Where arrows have no room inside they point from outside.
+    fn extended(&mut self, ends: [[f64; 2]; 2], across: usize, offset: f64, text: &str) {
+        let is_upright = across == 0;
+        let along = 1 - across;
+        let sheet = &mut self.sheet;
+        let place = self.origin[across] + offset;
+        let at = |v: f64, w: f64| if is_upright { [w, v] } else { [v, w] };
         for end in ends {
-            let gap = GAP_MM * (place - end[along]).signum();
-            let last = moved(end, place + BEYOND_MM * offset.signum());
-            self.sheet.line(Thin, [moved(end, end[along] + gap), last]);
+            let gap = GAP_MM * (place - end[across]).signum();
+            let last = place + BEYOND_MM * offset.signum();
+            let from = at(end[along], end[across] + gap);
+            sheet.line(Thin, [from, at(end[along], last)]);
         }
-        let [a, b] = ends.map(|end| moved(end, place));
-        dimension(self.sheet, a, b, text);
+        let [a, b] = ends.map(|end| end[along]);
+        let way = (b - a).signum();
+        let length = (b - a).abs();
+        let fits = length > 2.5 * ARROW_MM.0;
+        let inward = if fits { way } else { -way };
+        let half = if is_upright { -way } else { way } * ARROW_MM.1;
+        for (tip, way) in [(a, inward), (b, -inward)] {
+            let foot = tip + way * ARROW_MM.0;
+            sheet.fill([
+                at(tip, place),
+                at(foot, place + half),
+                at(foot, place - half),
+            ]);
+        }
+        let out = if fits { 0.0 } else { 2.0 * ARROW_MM.0 * way };
+        let [from, to] = [at(a - out, place), at(b + out, place)];
+        let middle = 0.5 * (a + b);
+        if is_upright {
+            sheet.line(Thin, [from, to]);
+            return sheet.text_upwards([place - 1.0, middle], SMALL_MM, Anchor::Middle, text);
+        }
+        let width = width_of(text);
+        if fits && width + 2.0 < length {
+            sheet.line(Thin, [from, to]);
+            return sheet.text([middle, place + 1.0], SMALL_MM, Anchor::Middle, text);
+        }
+        // Beyond the end, on a shelf.
+        sheet.line(Thin, [from, to, [to[0] + width + 1.5, place]]);
+        sheet.text([to[0] + 1.0, place + 1.0], SMALL_MM, Anchor::Start, text);
     }
-}
-
-/// A dimension line with arrows and its text: above a horizontal one, to the left of an upright
-/// one. Where arrows have no room inside they point from outside.
-fn dimension(sheet: &mut DrawingSheet, a: [f64; 2], b: [f64; 2], text: &str) {
-    let length = (b[0] - a[0]).hypot(b[1] - a[1]).max(1e-9);
-    let along = [0, 1].map(|k| (b[k] - a[k]) / length);
-    let upright = along[1].abs() > 0.5;
-    let fits = length > 2.5 * ARROW_MM.0;
-    let move_by = |p: [f64; 2], by: f64| [0, 1].map(|k| p[k] + by * along[k]);
-    let inward = if fits { 1.0 } else { -1.0 };
-    for (tip, sign) in [(a, inward), (b, -inward)] {
-        let foot = move_by(tip, sign * ARROW_MM.0);
-        let side = [-along[1] * ARROW_MM.1, along[0] * ARROW_MM.1];
-        sheet.fill([
-            tip,
-            [foot[0] + side[0], foot[1] + side[1]],
-            [foot[0] - side[0], foot[1] - side[1]],
-        ]);
-    }
-    let out = if fits { 0.0 } else { 2.0 * ARROW_MM.0 };
-    let middle = move_by(a, 0.5 * length);
-    if upright {
-        sheet.line(Thin, [move_by(a, -out), move_by(b, out)]);
-        return sheet.text_upwards([middle[0] - 1.0, middle[1]], SMALL_MM, Anchor::Middle, text);
-    }
-    let width = width_of(text);
-    if fits && width + 2.0 < length {
-        sheet.line(Thin, [a, b]);
-        return sheet.text([middle[0], middle[1] + 1.0], SMALL_MM, Anchor::Middle, text);
-    }
-    // Beyond the end, on a shelf.
-    let end = move_by(b, out);
-    let shelf = [end[0] + width + 1.5, end[1]];
-    sheet.line(Thin, [move_by(a, -out), end, shelf]);
-    sheet.text([end[0] + 1.0, end[1] + 1.0], SMALL_MM, Anchor::Start, text);
 }
 
 /// The approximate width of a text, in mm.

@@ -2,7 +2,7 @@
 
 use crate::{
     curve::Frame,
-    figure::{Axis, FigureError, Panel, Result, Series, Style},
+    figure::{Axis, FigureError, Panel, Result, Style},
     font::{Metrics, PANEL_TITLE},
     labels::{self, Label},
     legend::{self, Legend},
@@ -54,29 +54,25 @@ pub type Extents = (Option<(f64, f64)>, Option<(f64, f64)>);
 
 /// Extents of the data of a panel.
 pub fn extents(panel: &Panel) -> Extents {
-    let within = |axis: &Axis, v: f64| axis.range.is_none_or(|(low, high)| v >= low && v <= high);
-    let marks = panel.marks.iter().map(|m| (false, (m.x, m.y)));
-    let points: Vec<(bool, (f64, f64))> = panel
-        .series
-        .iter()
-        .flat_map(|s| {
-            s.points
-                .iter()
-                .map(|point| (s.style == Style::Band, *point))
-        })
-        .chain(marks)
-        .filter(|(_, (x, y))| x.is_finite() && y.is_finite())
-        .filter(|(_, (x, y))| within(&panel.x, *x) && within(&panel.y, *y))
-        .collect();
-    let lines = ticks::extent(points.iter().filter(|p| !p.0).map(|p| p.1.1));
-    let all = ticks::extent(points.iter().map(|p| p.1.1));
+    let within = |axis: &Axis, v: f64| {
+        v.is_finite() && axis.range.is_none_or(|(low, high)| v >= low && v <= high)
+    };
+    let points = |has_bands: bool| {
+        let series = panel.series.iter();
+        let drawn = series.filter(move |s| has_bands || s.style != Style::Band);
+        let marks = panel.marks.iter().map(|m| (m.x, m.y));
+        let all = drawn.flat_map(|s| s.points.iter().copied()).chain(marks);
+        all.filter(|(x, y)| within(&panel.x, *x) && within(&panel.y, *y))
+    };
+    let lines = ticks::extent(points(false).map(|p| p.1));
+    let all = ticks::extent(points(true).map(|p| p.1));
     let y = lines.zip(all).map(|((low, high), (least, most))| {
         // A band that is wider than its line does not fill the axis: the frame cuts it.
         let low = if panel.y.from_zero { low.min(0.0) } else { low };
         let room = 0.5 * (high - low).max(0.5 * high.abs().max(low.abs()));
         (least.max(low - room), most.min(high + room))
     });
-    (ticks::extent(points.iter().map(|p| p.1.0)), y.or(all))
+    (ticks::extent(points(true).map(|p| p.0)), y.or(all))
 }
 
 /// Room kept on the four sides of a plot.
@@ -223,39 +219,58 @@ impl<'a> Grid<'a, '_> {
             gutters.bottom =
                 TICK_LENGTH + TICK + 8.0 + axes.x_label.len() as f64 * LABEL_ROW + power_alone;
         }
-        gutters.right = gutters.right.max(self.end_room(i, &self.axes(i, gutters)?));
+        gutters.right = gutters
+            .right
+            .max(self.end_room(i, &self.axes(i, gutters)?.frame));
         Ok(gutters)
     }
 
+    /// The lines that are named at their ends.
+    fn ended(&self, i: usize, frame: &Frame) -> Vec<Ended> {
+        let panel = &self.panels[i];
+        let is_explained = |number: usize| {
+            panel
+                .numbered()
+                .any(|(other, s)| other == number && !s.label.trim().is_empty())
+        };
+        let ended = panel.numbered().filter_map(|(number, s)| {
+            let text = s.end_label.trim();
+            Some(Ended {
+                text: text.to_owned(),
+                colour: (!s.neutral && !is_explained(number)).then_some(number),
+                line: frame.line(&s.points).pop().filter(|_| !text.is_empty())?,
+            })
+        });
+        ended.collect()
+    }
+
     /// Room for the texts of lines that end at the right edge.
-    fn end_room(&self, i: usize, axes: &Axes) -> f64 {
-        let frame = &axes.frame;
-        let at_edge = self.panels[i]
-            .series
+    fn end_room(&self, i: usize, frame: &Frame) -> f64 {
+        let ended = self.ended(i, frame);
+        let at_edge = ended
             .iter()
-            .filter(|s| !s.end_label.trim().is_empty())
-            .filter(|s| {
-                frame
-                    .line(&s.points)
-                    .last()
-                    .is_some_and(|line| line_labels::reaches_edge(line, &axes.frame.plot))
-            });
-        let width = |s: &Series| self.metrics.width(s.end_label.trim(), labels::SIZE) + 9.0;
+            .filter(|ended| line_labels::reaches_edge(&ended.line, &frame.plot));
+        let width = |ended: &Ended| self.metrics.width(&ended.text, labels::SIZE) + 9.0;
         at_edge.map(width).fold(0.0, f64::max)
     }
 
     /// Room for the legend below a panel, where each has one.
     fn room_below(&self, all: &[Gutters], i: usize) -> Result<f64> {
-        if !self.has_legends || legend::entries(&self.panels[i]).is_empty() {
+        if !self.has_legends || legend::entries(&self.panels[i..=i]).is_empty() {
             return Ok(0.0);
         }
         let axes = self.axes(i, self.aligned(all, i))?;
-        Ok(self.legend(i, (0.0, 0.0), axes.frame.plot.w).frame.h + 4.0)
+        Ok(self.legend(i, (0.0, 0.0), axes.frame.plot.w).height + 4.0)
     }
 
-    fn legend(&self, i: usize, (x, y): (f64, f64), width: f64) -> Legend {
-        let entries = legend::fitted(legend::entries(&self.panels[i]), self.metrics, 0.8 * width);
-        legend::rows(&entries, self.metrics, x, y, width)
+    fn legend(&self, i: usize, at: (f64, f64), width: f64) -> Legend {
+        legend::rows(
+            legend::entries(&self.panels[i..=i]),
+            self.metrics,
+            at,
+            width,
+            0.8,
+        )
     }
 
     /// The gutters of a panel so that its plot lines up with those of its column and row.
@@ -295,22 +310,8 @@ impl<'a> Grid<'a, '_> {
             )));
         }
         let mut labels = labels::for_marks(&panel.marks, &axes.frame, metrics, &mut room);
-        let is_explained = |number: usize| {
-            panel
-                .numbered()
-                .any(|(other, s)| other == number && !s.label.trim().is_empty())
-        };
-        let ended = panel
-            .numbered()
-            .filter(|(_, s)| !s.end_label.trim().is_empty())
-            .filter_map(|(number, s)| {
-                Some(Ended {
-                    text: s.end_label.trim().to_owned(),
-                    colour: (!s.neutral && !is_explained(number)).then_some(number),
-                    line: axes.frame.line(&s.points).pop()?,
-                })
-            });
-        labels.extend(line_labels::for_lines(ended.collect(), metrics, &mut room));
+        let ended = self.ended(index, &axes.frame);
+        labels.extend(line_labels::for_lines(ended, metrics, &mut room));
         let text = metrics.fit(&panel.title, PANEL_TITLE, cell.w);
         Ok(Placed {
             panel,

@@ -21,27 +21,22 @@ const MANY: usize = 2000;
 const CELL: f64 = 0.5;
 
 impl Frame {
+    // Far outside is as good as very far outside, and stays a number.
     pub fn at_x(&self, value: f64) -> f64 {
-        self.plot.x + self.x.part(value) * self.plot.w
+        self.plot.x + self.x.part(value).clamp(-1e4, 1e4) * self.plot.w
     }
 
     pub fn at_y(&self, value: f64) -> f64 {
-        self.plot.bottom() - self.y.part(value) * self.plot.h
+        self.plot.bottom() - self.y.part(value).clamp(-1e4, 1e4) * self.plot.h
     }
 
     /// Place of a point; `None` if a coordinate is not finite.
     pub fn spot(&self, (x, y): (f64, f64)) -> Option<Spot> {
-        if !(x.is_finite() && y.is_finite()) {
-            return None;
-        }
-        // far outside is as good as very far outside, and stays a number
-        let across = self.x.part(x).clamp(-1e4, 1e4);
-        let up = self.y.part(y).clamp(-1e4, 1e4);
-        let spot = (
-            self.plot.x + across * self.plot.w,
-            self.plot.bottom() - up * self.plot.h,
-        );
-        (spot.0.is_finite() && spot.1.is_finite()).then_some(spot)
+        let spot = (self.at_x(x), self.at_y(y));
+        [x, y, spot.0, spot.1]
+            .iter()
+            .all(|v| v.is_finite())
+            .then_some(spot)
     }
 
     /// Place of a mark within the frame.
@@ -52,53 +47,23 @@ impl Frame {
 
     /// The visible pieces of a line. A piece of one spot is a point without neighbours.
     pub fn line(&self, points: &[(f64, f64)]) -> Vec<Vec<Spot>> {
-        let mut pieces = Vec::new();
-        let mut run: Vec<Spot> = Vec::new();
-        for spot in points.iter().map(|p| self.spot(*p)).chain([None]) {
-            match spot {
-                Some(spot) => run.push(spot),
-                None if run.is_empty() => {}
-                None => {
-                    let seen = if run.len() > MANY {
-                        thin(&run)
-                    } else {
-                        smooth(&run)
-                    };
-                    clip(&seen, &self.plot.grown(0.01), &mut pieces);
-                    run.clear();
-                }
-            }
-        }
-        pieces
+        let spots: Vec<Option<Spot>> = points.iter().map(|p| self.spot(*p)).collect();
+        let pieces = |run: &[Option<Spot>]| {
+            let run: Vec<Spot> = run.iter().flatten().copied().collect();
+            let seen = if run.len() > MANY {
+                thin(&run)
+            } else {
+                smooth(&run)
+            };
+            clipped(seen, &self.plot.grown(0.01), false)
+        };
+        spots.split(Option::is_none).flat_map(pieces).collect()
     }
 
     /// The visible part of an area with an outline.
     pub fn area(&self, outline: &[(f64, f64)]) -> Vec<Spot> {
-        let frame = &self.plot;
-        let mut spots: Vec<Spot> = outline.iter().filter_map(|p| self.spot(*p)).collect();
-        // How far inside of each edge a spot is (Sutherland and Hodgman).
-        let edges: [&dyn Fn(&Spot) -> f64; 4] = [
-            &|s| s.0 - frame.x,
-            &|s| frame.right() - s.0,
-            &|s| s.1 - frame.y,
-            &|s| frame.bottom() - s.1,
-        ];
-        for inside in edges {
-            let mut kept = Vec::with_capacity(spots.len() + 4);
-            for (i, to) in spots.iter().enumerate() {
-                let from = &spots[(i + spots.len() - 1) % spots.len()];
-                let a = inside(from);
-                let b = inside(to);
-                if (a < 0.0) != (b < 0.0) {
-                    kept.push(between(*from, *to, a / (a - b)));
-                }
-                if b >= 0.0 {
-                    kept.push(*to);
-                }
-            }
-            spots = kept;
-        }
-        spots
+        let spots = outline.iter().filter_map(|p| self.spot(*p));
+        clipped(spots.collect(), &self.plot, true).concat()
     }
 
     /// The visible markers of a series.
@@ -143,56 +108,39 @@ fn thin(run: &[Spot]) -> Vec<Spot> {
     kept
 }
 
-/// Cuts a run of spots into the pieces within `frame`.
-fn clip(run: &[Spot], frame: &Rect, pieces: &mut Vec<Vec<Spot>>) {
-    if let [only] = run {
-        pieces.extend(frame.has(*only).then(|| vec![*only]));
-    }
-    let mut goes_on = false;
-    for pair in run.windows(2) {
-        let [a, b] = [pair[0], pair[1]];
-        let inside = clip_segment(a, b, frame);
-        if let Some((from, to)) = inside {
-            if !goes_on {
-                pieces.push(vec![from]);
-            }
-            pieces
-                .last_mut()
-                .into_iter()
-                .for_each(|piece| piece.push(to));
-        }
-        goes_on = inside.is_some_and(|(_, to)| to == b);
-    }
-}
-
-/// The part of a segment within a rectangle (Liang and Barsky).
-fn clip_segment(a: Spot, b: Spot, frame: &Rect) -> Option<(Spot, Spot)> {
-    let dx = b.0 - a.0;
-    let dy = b.1 - a.1;
-    let mut from = 0.0_f64;
-    let mut to = 1.0_f64;
-    let walls = [
-        (-dx, a.0 - frame.x),
-        (dx, frame.right() - a.0),
-        (-dy, a.1 - frame.y),
-        (dy, frame.bottom() - a.1),
+/// The pieces of a line within a rectangle, or what an outline leaves of it: one wall after the other
+/// cuts them (Sutherland and Hodgman).
+fn clipped(line: Vec<Spot>, frame: &Rect, is_outline: bool) -> Vec<Vec<Spot>> {
+    // How far inside of each wall a spot is.
+    let walls: [&dyn Fn(Spot) -> f64; 4] = [
+        &|s| s.0 - frame.x,
+        &|s| frame.right() - s.0,
+        &|s| s.1 - frame.y,
+        &|s| frame.bottom() - s.1,
     ];
-    for (toward, room) in walls {
-        if toward == 0.0 {
-            if room < 0.0 {
-                return None;
+    let mut pieces = vec![line];
+    for inside in walls {
+        let mut kept = vec![];
+        for piece in pieces {
+            let mut run = vec![];
+            let mut last = piece.last().copied().filter(|_| is_outline);
+            for to in piece {
+                let b = inside(to);
+                if let Some(from) = last.replace(to) {
+                    let a = inside(from);
+                    let is_cut = (a < 0.0) != (b < 0.0);
+                    run.extend(is_cut.then(|| between(from, to, a / (a - b))));
+                }
+                if b >= 0.0 {
+                    run.push(to);
+                } else if !is_outline {
+                    kept.push(std::mem::take(&mut run));
+                }
             }
-        } else if toward < 0.0 {
-            from = from.max(room / toward);
-        } else {
-            to = to.min(room / toward);
+            kept.push(run);
         }
+        kept.retain(|run| !run.is_empty());
+        pieces = kept;
     }
-    if from > to {
-        return None;
-    }
-    Some((
-        if from == 0.0 { a } else { between(a, b, from) },
-        if to == 1.0 { b } else { between(a, b, to) },
-    ))
+    pieces
 }

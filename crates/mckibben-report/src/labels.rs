@@ -33,7 +33,7 @@ pub struct Label {
     pub leader: Option<(Spot, Spot)>,
 }
 
-pub fn around(at: Spot, w: f64) -> Rect {
+fn around(at: Spot, w: f64) -> Rect {
     Rect {
         x: at.0,
         y: at.1 - HEIGHT / 2.0,
@@ -42,25 +42,50 @@ pub fn around(at: Spot, w: f64) -> Rect {
     }
 }
 
-/// The cost of a box: drawn lines and points under it, texts under it, parts outside of the plot.
-pub fn cost_of(rect: &Rect, room: &Room, within: &Rect) -> f64 {
-    let mut cost = 2.0 * room.drawn_under(&rect.grown(1.0)) as f64;
-    if room.meets_box(&rect.grown(1.0)) {
-        cost += 1000.0;
+/// Left end of a text of a width at the place of the least cost, and takes its box: of drawn lines and
+/// points under it, of texts under it, of parts outside of the plot, and what each place costs by itself;
+/// `is_crossed` adds to it.
+pub fn cheapest(
+    places: impl Iterator<Item = (f64, Spot)>,
+    w: f64,
+    room: &mut Room,
+    is_crossed: impl Fn(&Rect, &Room) -> bool,
+) -> Spot {
+    let within = room.plot.grown(-2.0);
+    let mut best = (f64::INFINITY, Spot::default());
+    for (least, at) in places {
+        if least >= best.0 {
+            continue;
+        }
+        let rect = around(at, w);
+        let near = rect.grown(1.0);
+        let mut cost = 2.0 * room.drawn_under(&near) as f64 + least;
+        if room.meets_box(&near) {
+            cost += 1000.0;
+        }
+        if !within.holds(&rect) {
+            cost += 3000.0;
+        }
+        if cost < best.0 && is_crossed(&rect, room) {
+            cost += 100.0;
+        }
+        if cost < best.0 {
+            best = (cost, at);
+        }
     }
-    if !within.holds(rect) {
-        cost += 3000.0;
-    }
-    cost
+    let (_, (x, y)) = best;
+    let at = (
+        x.min(within.right() - w).max(within.x),
+        y.min(within.bottom() - HEIGHT / 2.0)
+            .max(within.y + HEIGHT / 2.0),
+    );
+    room.add_box(around(at, w));
+    at
 }
 
 /// Notes the rings of the marks, so that texts keep away from all of them.
 pub fn add_rings(marks: &[Mark], frame: &Frame, room: &mut Room) {
-    for spot in marks
-        .iter()
-        .filter_map(|m| frame.spot((m.x, m.y)))
-        .filter(|s| frame.plot.has(*s))
-    {
+    for spot in marks.iter().filter_map(|m| frame.mark(m)) {
         room.add_box(Rect::about(spot, RING + 1.0));
     }
 }
@@ -75,63 +100,39 @@ pub fn for_marks(marks: &[Mark], frame: &Frame, metrics: &Metrics, room: &mut Ro
             continue;
         };
         let w = metrics.width(&text, SIZE);
-        let at = inside(best_place(spot, w, room, &within), w, &within);
-        let rect = around(at, w);
-        room.add_box(rect);
+        let at = cheapest(beside(spot, w), w, room, |rect, room| {
+            leader(spot, rect).is_some_and(|(_, end)| room.crosses_box(spot, end))
+        });
         labels.push(Label {
             at,
             text,
             colour: None,
-            leader: leader(spot, &rect),
+            leader: leader(spot, &around(at, w)),
         });
     }
     labels
 }
 
-/// Left end of the text of a mark at the least cost.
-fn best_place(spot: Spot, w: f64, room: &Room, within: &Rect) -> Spot {
-    let mut best = (f64::INFINITY, spot);
-    for (ring, gap) in GAPS.into_iter().enumerate() {
+/// Places for the text of a mark; the farther away, the more they cost.
+fn beside(spot: Spot, w: f64) -> impl Iterator<Item = (f64, Spot)> {
+    let place = move |(ring, gap): (usize, f64), (turn, angle): (usize, f64)| {
         let distance = RING + gap;
-        for (turn, angle) in DIRECTIONS.into_iter().enumerate() {
-            let (up, across) = f64::to_radians(angle).sin_cos();
-            // the text begins or ends at this distance; straight above and below it is centred
-            let half = if across.abs() > 0.01 {
-                across.signum() * w / 2.0
-            } else {
-                0.0
-            };
-            let middle = (
-                spot.0 + across * distance + half,
-                spot.1 - up * (distance + HEIGHT / 2.0 - 2.0),
-            );
-            let at = (middle.0 - w / 2.0, middle.1);
-            let rect = around(at, w);
-            let cost = cost_of(&rect, room, within) + 5.0 * ring as f64 + 0.4 * turn as f64;
-            if cost >= best.0 {
-                continue;
-            }
-            let crossed = leader(spot, &rect).is_some_and(|(_, end)| room.crosses_box(spot, end));
-            let cost = cost + if crossed { 100.0 } else { 0.0 };
-            if cost < best.0 {
-                best = (cost, at);
-            }
-        }
-        // farther away everything costs more than the best place
-        if best.0 <= 5.0 * (ring + 1) as f64 {
-            break;
-        }
-    }
-    best.1
-}
-
-/// Moves a text into the allowed rectangle.
-pub fn inside(at: Spot, w: f64, within: &Rect) -> Spot {
-    let x = at.0.min(within.right() - w).max(within.x);
-    let y =
-        at.1.min(within.bottom() - HEIGHT / 2.0)
-            .max(within.y + HEIGHT / 2.0);
-    (x, y)
+        let (up, across) = f64::to_radians(angle).sin_cos();
+        // the text begins or ends at this distance; straight above and below it is centred
+        let half = if across.abs() > 0.01 {
+            across.signum() * w / 2.0
+        } else {
+            0.0
+        };
+        let at = (
+            spot.0 + across * distance + half - w / 2.0,
+            spot.1 - up * (distance + HEIGHT / 2.0 - 2.0),
+        );
+        (5.0 * ring as f64 + 0.4 * turn as f64, at)
+    };
+    let directions = || DIRECTIONS.into_iter().enumerate();
+    let gaps = GAPS.into_iter().enumerate();
+    gaps.flat_map(move |gap| directions().map(move |direction| place(gap, direction)))
 }
 
 /// The line from a ring to the nearest place of a text's box.

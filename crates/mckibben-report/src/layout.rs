@@ -4,7 +4,7 @@ use crate::{
     axes::{Grid, Placed},
     figure::{Figure, FigureError, Panel, Result},
     font::{CAPTION, Metrics, TITLE},
-    legend::{self, Entry, Legend},
+    legend::{self, Legend},
     palette::Colours,
     rect::{PER_MM, Rect},
 };
@@ -108,35 +108,28 @@ pub fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>> {
     };
     check_paper(width_mm, height_mm)?;
     let common = if single {
-        Some(legend::entries(&figure.panels[0]))
+        Some(legend::entries(&figure.panels))
     } else {
         legend::shared(&figure.panels)
     };
     let has_legends = common.is_none();
     let entries = common.filter(|entries| !entries.is_empty());
-    let mut legend = entries.map(|entries| {
-        let entries = legend::fitted(entries, metrics, inner);
-        legend::rows(&entries, metrics, MARGIN, 0.0, inner)
-    });
+    let mut legend =
+        entries.map(|entries| legend::rows(entries, metrics, (MARGIN, 0.0), inner, 1.0));
     let mut height = height_mm * PER_MM;
     if let Some(legend) = &legend
         && figure.size_mm.is_none_or(|(_, height_mm)| height_mm == 0.0)
     {
         // many entries make the paper longer, not the plot smaller
-        height += (legend.frame.h - 3.0 * legend::ROW).max(0.0);
+        height += (legend.height - 3.0 * legend::ROW).max(0.0);
     }
     let mut bottom = height - 9.0 - caption_room;
     let caption_y = bottom + 5.0 + CAPTION_ROW / 2.0;
     if let Some(legend) = &mut legend {
         let gap = if caption.is_empty() { 0.0 } else { 3.0 };
-        let y = bottom - legend.frame.h - gap;
+        let y = bottom - legend.height - gap;
         // rows narrower than the paper are centred
-        let right = legend
-            .entries
-            .iter()
-            .map(|entry| entry_end(entry, metrics))
-            .fold(MARGIN, f64::max);
-        legend.shift(((MARGIN + inner - right) / 2.0).max(0.0), y);
+        legend.shift(((MARGIN + inner - legend.right) / 2.0).max(0.0), y);
         bottom = y - 8.0;
     }
     let cell = cell(figure, top, bottom, inner);
@@ -172,8 +165,4 @@ fn cell(figure: &Figure, top: f64, bottom: f64, inner: f64) -> impl Fn(usize) ->
         w,
         h,
     }
-}
-
-fn entry_end((x, _, entry): &(f64, f64, Entry), metrics: &Metrics) -> f64 {
-    x + legend::SAMPLE + 6.0 + metrics.width(&entry.label, legend::SIZE)
 }

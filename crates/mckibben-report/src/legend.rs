@@ -3,7 +3,6 @@
 use crate::{
     figure::{Panel, Style},
     font::Metrics,
-    rect::Rect,
 };
 
 /// Font size of the entries.
@@ -23,15 +22,16 @@ pub struct Entry {
 }
 
 pub struct Legend {
-    pub frame: Rect,
+    pub height: f64,
+    /// Where the longest row ends.
+    pub right: f64,
     /// Entries with the left end of their sample and the middle of their row.
     pub entries: Vec<(f64, f64, Entry)>,
 }
 
 impl Legend {
-    /// Moves it to the right and down; its frame is as wide as its paper.
+    /// Moves it to the right and down.
     pub fn shift(&mut self, right: f64, down: f64) {
-        self.frame.y += down;
         for (x, y, _) in &mut self.entries {
             *x += right;
             *y += down;
@@ -39,10 +39,10 @@ impl Legend {
     }
 }
 
-/// The entries of a panel, each once.
-pub fn entries(panel: &Panel) -> Vec<Entry> {
+/// The entries of some panels, each once.
+pub fn entries(panels: &[Panel]) -> Vec<Entry> {
     let mut all = Vec::new();
-    for (colour, series) in panel.numbered() {
+    for (colour, series) in panels.iter().flat_map(Panel::numbered) {
         let entry = Entry {
             label: series.label.clone(),
             style: series.style,
@@ -58,64 +58,57 @@ pub fn entries(panel: &Panel) -> Vec<Entry> {
 /// The entries of all panels if one legend can serve them all: most of them are common,
 /// and no sample stands for two different texts.
 pub fn shared(panels: &[Panel]) -> Option<Vec<Entry>> {
-    let each: Vec<_> = panels.iter().map(entries).collect();
-    let most = each.iter().map(Vec::len).max().unwrap_or(0);
-    let with_entries = each.iter().filter(|e| !e.is_empty()).count();
-    let mut all: Vec<Entry> = Vec::new();
-    for entry in each.into_iter().flatten() {
-        if !all.contains(&entry) {
-            all.push(entry);
-        }
-    }
+    let counts = panels.chunks(1).map(|panel| entries(panel).len());
+    let counts: Vec<usize> = counts.filter(|count| *count > 0).collect();
+    let all = entries(panels);
     let clash = all.iter().enumerate().any(|(i, a)| {
         all[..i]
             .iter()
             .any(|b| a.style == b.style && a.colour == b.colour)
     });
-    (with_entries > 1 && all.len() <= most + 2 && !clash).then_some(all)
+    let most = counts.iter().max()?;
+    (counts.len() > 1 && all.len() <= most + 2 && !clash).then_some(all)
 }
 
-/// The entries with texts shortened to what fits beside a sample in a width.
-pub fn fitted(entries: Vec<Entry>, metrics: &Metrics, width: f64) -> Vec<Entry> {
-    let room = width - SAMPLE - 3.0 * GAP;
-    let short = |e: Entry| Entry {
-        label: metrics.fit(&e.label, SIZE, room),
-        ..e
-    };
-    entries.into_iter().map(short).collect()
-}
-
-/// Rows of entries set one after the other within a width; the height is that of the frame.
-pub fn rows(entries: &[Entry], metrics: &Metrics, x: f64, y: f64, width: f64) -> Legend {
+/// Rows of entries set one after the other within a width, with texts shortened to what fits beside a
+/// sample in a share of it.
+pub fn rows(
+    mut entries: Vec<Entry>,
+    metrics: &Metrics,
+    (x, y): (f64, f64),
+    width: f64,
+    share: f64,
+) -> Legend {
+    let room = share * width - SAMPLE - 3.0 * GAP;
+    for entry in &mut entries {
+        entry.label = metrics.fit(&entry.label, SIZE, room);
+    }
     let long = |e: &Entry| SAMPLE + GAP + metrics.width(&e.label, SIZE);
     // equal columns read better than ragged rows when there is more than one row
     let total: f64 = entries.iter().map(|e| long(e) + 18.0).sum();
     let widest = entries.iter().map(long).fold(0.0, f64::max) + 18.0;
+    let most = entries.len().max(1);
     let columns = if total - 18.0 <= width {
-        entries.len().max(1)
+        most
     } else {
-        ((width / widest).floor() as usize).clamp(1, entries.len().max(1))
+        ((width / widest).floor() as usize).clamp(1, most)
     };
     let count = entries.len().div_ceil(columns);
-    let mut placed = Vec::new();
-    let mut at = x;
-    for (i, entry) in entries.iter().enumerate() {
-        let left = if count == 1 {
-            at
-        } else {
-            x + (i % columns) as f64 * widest
-        };
-        placed.push((left, y + ((i / columns) as f64 + 0.5) * ROW, entry.clone()));
-        at += long(entry) + 18.0;
-    }
-    let frame = Rect {
-        x,
-        y,
-        w: width,
-        h: count as f64 * ROW,
+    let mut legend = Legend {
+        height: count as f64 * ROW,
+        right: x,
+        entries: vec![],
     };
-    Legend {
-        frame,
-        entries: placed,
+    let mut at = x;
+    for (i, entry) in entries.into_iter().enumerate() {
+        if count > 1 {
+            at = x + (i % columns) as f64 * widest;
+        }
+        let end = at + long(&entry);
+        let row = y + ((i / columns) as f64 + 0.5) * ROW;
+        legend.entries.push((at, row, entry));
+        legend.right = legend.right.max(end);
+        at = end + 18.0;
     }
+    legend
 }

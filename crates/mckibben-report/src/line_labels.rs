@@ -3,7 +3,7 @@
 
 use crate::{
     font::Metrics,
-    labels::{HEIGHT, Label, SIZE, around, cost_of, inside},
+    labels::{HEIGHT, Label, SIZE, cheapest},
     rect::{Rect, Spot},
     room::Room,
 };
@@ -30,14 +30,9 @@ pub fn for_lines(lines: Vec<Ended>, metrics: &Metrics, room: &mut Room) -> Vec<L
     let plot = room.plot;
     let (edge, inner): (Vec<_>, Vec<_>) = lines
         .into_iter()
-        .filter(|l| !l.line.is_empty())
         .partition(|l| reaches_edge(&l.line, &plot));
     let mut labels = beside_plot(edge, &plot);
-    labels.extend(
-        inner
-            .into_iter()
-            .filter_map(|line| along(line, metrics, room)),
-    );
+    labels.extend(inner.into_iter().map(|line| along(line, metrics, room)));
     labels
 }
 
@@ -87,34 +82,27 @@ fn spread(wanted: &[f64], step: f64, low: f64, high: f64) -> Vec<f64> {
 }
 
 /// A text beside its line, as near to its end as there is room.
-fn along(line: Ended, metrics: &Metrics, room: &mut Room) -> Option<Label> {
-    let within = room.plot.grown(-2.0);
+fn along(line: Ended, metrics: &Metrics, room: &mut Room) -> Label {
     let w = metrics.width(&line.text, SIZE);
-    let mut best: Option<(f64, Spot)> = None;
-    for number in 0..=STATIONS {
+    let places = (0..=STATIONS).flat_map(|number| {
         let part = number as f64 / STATIONS as f64;
-        let (spot, direction) = station(&line.line, part);
-        let normals = [(direction.1, -direction.0), (-direction.1, direction.0)];
-        for (side, normal) in normals.into_iter().enumerate() {
+        let (spot, (x, y)) = station(&line.line, part);
+        [(0.0, (y, -x)), (0.5, (-y, x))].map(|(cost, normal)| {
             // so far along the normal that the box just clears the line
             let clear = normal.0.abs() * w / 2.0 + normal.1.abs() * HEIGHT / 2.0 + 3.0;
-            let middle = (spot.0 + normal.0 * clear, spot.1 + normal.1 * clear);
-            let at = (middle.0 - w / 2.0, middle.1);
-            let cost = cost_of(&around(at, w), room, &within) + 14.0 * part + 0.5 * side as f64;
-            if best.is_none_or(|(least, _)| cost < least) {
-                best = Some((cost, at));
-            }
-        }
-    }
-    let (_, at) = best?;
-    let at = inside(at, w, &within);
-    room.add_box(around(at, w));
-    Some(Label {
-        at,
+            let at = (
+                spot.0 + normal.0 * clear - w / 2.0,
+                spot.1 + normal.1 * clear,
+            );
+            (14.0 * part + cost, at)
+        })
+    });
+    Label {
+        at: cheapest(places, w, room, |_, _| false),
         text: line.text,
         colour: line.colour,
         leader: None,
-    })
+    }
 }
 
 fn lengths(line: &[Spot]) -> impl Iterator<Item = f64> {

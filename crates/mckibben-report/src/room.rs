@@ -16,6 +16,11 @@ pub struct Room {
     boxes: Vec<Rect>,
 }
 
+/// The number of a cell, of so many.
+fn cell(from_edge: f64, count: usize) -> usize {
+    (from_edge / CELL).floor().clamp(0.0, (count - 1) as f64) as usize
+}
+
 impl Room {
     pub fn new(plot: Rect) -> Self {
         let columns = (plot.w / CELL).ceil().max(1.0) as usize;
@@ -30,15 +35,11 @@ impl Room {
     }
 
     fn column(&self, x: f64) -> usize {
-        ((x - self.plot.x) / CELL)
-            .floor()
-            .clamp(0.0, (self.columns - 1) as f64) as usize
+        cell(x - self.plot.x, self.columns)
     }
 
     fn row(&self, y: f64) -> usize {
-        ((y - self.plot.y) / CELL)
-            .floor()
-            .clamp(0.0, (self.rows - 1) as f64) as usize
+        cell(y - self.plot.y, self.rows)
     }
 
     /// Notes a drawn line.

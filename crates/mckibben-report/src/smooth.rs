@@ -21,30 +21,22 @@ pub fn smooth(run: &[Spot]) -> Vec<Spot> {
     if run.len() < 4 || !(rises || falls) {
         return run.to_vec();
     }
-    let seconds: Vec<f64> = run
+    let mut seconds: Vec<f64> = run
         .windows(3)
         .map(|p| second_difference(p[0], p[1], p[2]))
         .collect();
-    // At the spot `i`; the two ends have none.
-    let at = |i: usize| i.checked_sub(1).and_then(|i| seconds.get(i)).copied();
+    // The first and last piece go on as their neighbour does.
+    let n = seconds.len();
+    let [first, last] = [[0, 1], [n - 1, n - 2]].map(|[i, j]| 2.0 * seconds[i] - seconds[j]);
+    seconds.insert(0, first);
+    seconds.push(last);
     let mut out = Vec::with_capacity(2 * run.len());
-    for (i, pair) in run.windows(2).enumerate() {
-        let a = pair[0];
-        let b = pair[1];
+    for (pair, ends) in run.windows(2).zip(seconds.windows(2)) {
+        let ([a, b], [d, e]) = ([pair[0], pair[1]], [ends[0], ends[1]]);
         out.push(a);
-        // The first and last piece go on as their neighbour does.
-        let ends = match (at(i), at(i + 1)) {
-            (Some(d), Some(e)) => Some((d, e)),
-            (None, Some(e)) => at(i + 2).map(|next| (2.0 * e - next, e)),
-            (Some(d), None) => i
-                .checked_sub(1)
-                .and_then(at)
-                .map(|before| (d, 2.0 * d - before)),
-            (None, None) => None,
-        };
-        let Some((d, e)) = ends.filter(|(d, e)| alike(*d, *e)) else {
+        if !alike(d, e) {
             continue;
-        };
+        }
         let off = 0.125 * (d + e).abs() * (b.0 - a.0).powi(2);
         if !(FACET..MOST).contains(&off) {
             continue;
