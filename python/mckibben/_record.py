@@ -280,7 +280,7 @@ def drawn(figure: dict[str, Any], ax: Any) -> Any:
     return axes[0] if is_one else axes[: len(panels)]
 
 
-class Points(Record):
+class Solution(Record):
     """Points of a muscle as arrays of one shape, each an attribute; ``model`` is the model's name.
 
     ``slack`` where the muscle hangs; ``warned`` has at each point a bit for each of ``warnings``; where ``status`` is not ``ok``, ``cause`` says why.
@@ -387,7 +387,7 @@ def _with_units(found: xarray.Dataset) -> xarray.Dataset:
     return found
 
 
-class Turned(Record):
+class JointSolution(Record):
     """Points of a joint, angle after angle for each set of pressures."""
 
     def grid(self: Any, column: str) -> Array:
@@ -404,7 +404,7 @@ class Turned(Record):
         return _with_units(xr.Dataset(held, {"angle_deg": angles}))
 
 
-class Curves(Record):
+class Curve(Record):
     """A family of curves, its points as columns."""
 
     @classmethod
@@ -432,7 +432,7 @@ class Curves(Record):
         return np.array(self[column], np.float64).reshape(len(self.fixed), -1)
 
 
-class Fitting(Record):
+class Fit(Record):
     """A fitted formula with all that is known of it."""
 
     @property
@@ -447,7 +447,7 @@ class Fitting(Record):
         return Formula(text, held["name"])
 
 
-class Identified(Record):
+class Identification(Record):
     """Constants found in measured points, with their errors: ``found["name"]``, ``found["value"]``, ``found["standard_error"]`` are arrays of them."""
 
     @property
@@ -480,7 +480,7 @@ class Identified(Record):
         return "\n".join([*words, *(f"note: {w.message}" for w in self.warnings)])
 
 
-class FittedLaws(Record):
+class RubberFit(Record):
     """Laws fitted to tests of a rubber; ``parameters`` are those of the recommended one."""
 
     def rubber(self: Any, law: str | None = None) -> Rubber:
@@ -503,7 +503,7 @@ class FittedLaws(Record):
         return Rubber(found.law, **constants)
 
 
-class Designed(Record):
+class Design(Record):
     """Ranked muscles, and why others fail."""
 
     @property
@@ -555,7 +555,19 @@ class Files(Record):
         return next(iter(contents))
 
 
-class Shaped(Record):
+class Build(Files):
+    """All that is needed to build a muscle."""
+
+
+class Export(Files):
+    """A muscle for other programs."""
+
+
+class JointExport(Files):
+    """A joint for other programs."""
+
+
+class Shape(Record):
     """The deformed muscle. In a notebook it is shown in space."""
 
     def array(self: Any, name: str) -> Array:
