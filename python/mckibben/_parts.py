@@ -288,7 +288,11 @@ def load(path: str | os.PathLike[str], kind: type[Any] = object) -> Any:
             try:
                 answer = json.loads(text)
                 made: type[Record] = getattr(_api, answer.get("mckibben", ""), Record)
-                found = Formula(text) if made is Record else made._load(answer)
+                found = (
+                    Formula(text)
+                    if made is Record
+                    else made._read(answer["data"], answer["asked"])
+                )
             except (KeyError, json.JSONDecodeError) as error:
                 raise FileError(f"{path}: not what was saved: {error}") from None
         elif text.startswith("[tube.material]"):
