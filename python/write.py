@@ -20,10 +20,11 @@ from collections.abc import Iterable
 from functools import cache
 from itertools import chain
 from pathlib import Path
+from types import FunctionType
 from typing import Any
 
 ROOT = Path(__file__).resolve().parent.parent
-PACKAGE = ROOT / "python" / "mckibben"
+API = ROOT / "python/mckibben/_api.py"
 Schema = Any
 
 # Commands as functions, and as methods of a muscle, a joint and a drive, with what may be given without its keyword: with `!` what must be, with `=` what
@@ -72,7 +73,7 @@ OWN = {
     "DriveCommands": "drive step muscle joint muscles tables",
     "CampaignCommands": "plan output campaign",
 }
-# Answers with a name of their own, and what they inherit from.
+# Answers with a name of their own.
 NAMES = {
     "CurveAnswer": "Curve",
     "FitAnswer": "Fit",
@@ -87,18 +88,6 @@ NAMES = {
     "JointAnswer": "JointSolution",
     "MotionAnswer": "Motion",
     "Summary": "CampaignSummary",
-}
-BASES = {
-    "Curve": "Curves",
-    "Fit": "Fitting",
-    "Identification": "Identified",
-    "RubberFit": "FittedLaws",
-    "Design": "Designed",
-    "Build": "Files",
-    "Export": "Files",
-    "JointExport": "Files",
-    "JointSolution": "Turned",
-    "Shape": "Shaped",
 }
 # The list of an answer that is its table, by command.
 ROWS = {
@@ -145,8 +134,9 @@ ASKED = {
 # By function and method, and others.
 TEXTS = dict(
     part.strip().split("\n\n", 1)
-    for part in (PACKAGE.parent / "docstrings.md").read_text("utf-8").split("\n## ")[1:]
+    for part in (ROOT / "python/docstrings.md").read_text("utf-8").split("\n## ")[1:]
 )
+RECORDS = (ROOT / "python/mckibben/_record.py").read_text("utf-8")
 HEAD = '''"""Commands and answers of the program. Written by python/write.py from the schema; do not edit."""
 
 from __future__ import annotations
@@ -167,11 +157,10 @@ if TYPE_CHECKING:
 
 
 @cache
-def schemas() -> dict[str, Any]:
+def schemas() -> Schema:
     """The schemas of all commands."""
     tool = os.environ.get("MCKIBBEN") or str(ROOT / "target/debug/mckibben")
-    held: dict[str, Any] = json.loads(said(tool, "schema"))
-    return held
+    return json.loads(said(tool, "schema"))
 
 
 def defined(schema: Schema) -> Schema:
@@ -207,16 +196,11 @@ def request(command: str) -> dict[str, Schema]:
     named = {"direction": "branch", "branches": "branch"}
     fields = {named.get(n, n): field for n, field in fields.items()}
     if command == "curve":
-        either = [*options(fields["branch"]), {"enum": ["both"]}]
-        fields["branch"] = {**fields["branch"], "anyOf": either}
+        fields["branch"]["anyOf"].append({"enum": ["both"]})
     if reference(fields.get("model")) == "ModelFields":
         made = properties(fields["model"])
         fields |= {"model": made.pop("name"), **made}
     return fields
-
-
-def is_record(schema: Schema) -> bool:
-    return bool(properties(schema))
 
 
 def type_of(schema: Schema, is_answer: bool) -> str:
@@ -232,7 +216,7 @@ def type_of(schema: Schema, is_answer: bool) -> str:
         }.get(name)
         if not is_answer and known:
             return known
-        if is_record(schema):
+        if properties(schema):
             return NAMES.get(name, name) if is_answer else "Mapping[str, Plain]"
         return type_of(defined(schema), is_answer)
     if choice := words(schema):
@@ -358,21 +342,22 @@ def function(command: str, owner: str) -> str:
     fields = request(command)
     if held["long"] or command == "curve":
         fields["progress"] = {"description": TEXTS["Progress"]}
-    figure, own = fields.pop("figure", None), OWN.get(owner, "").split()
+    # A curve is drawn when it is wanted.
+    figure = command != "curve" and fields.pop("figure", None)
+    drawn = f", {figure.get('type') == 'boolean' or 'MPa'!r}" if figure else ""
+    own = {"figure", *OWN.get(owner, "").split()}
     order = dict.fromkeys([*first, *fields])
     fields = {n: fields[n] for n in order if n not in own}
-    made = {n: parameter(n, field, first.get(n, "")) for n, field in fields.items()}
-    keywords = [made[n] for n in fields if n not in first]
+    made = [parameter(n, field, first.get(n, "")) for n, field in fields.items()]
+    if len(made) > len(first):
+        made.insert(len(first), "*")
     given = "locals()"
     if reference(fields.get("muscle")) == "MuscleFields":
-        keywords.append("**measures: Unpack[Measures]")
+        made.append("**measures: Unpack[Measures]")
         fields["measures"] = {"description": TEXTS["Measures"]}
         given = '{**locals(), "muscle": {"file": muscle, **known(measures, Measures)}, "measures": None}'
     if reference(properties(held["request"]).get("model")) == "ModelFields":
         given = f'modelled({given}, "{command}")'
-    # A curve is drawn when it is wanted.
-    is_drawn = figure and command != "curve"
-    drawn = f", {figure.get('type') == 'boolean' or 'MPa'!r}" if is_drawn else ""
     example = TEXTS[f"{owner}.{name}".strip(".")]
     about = [
         wrapped(doc(held["request"])),
@@ -381,11 +366,10 @@ def function(command: str, owner: str) -> str:
         TEXTS["Raises"],
         f"Examples\n--------\n>>> import mckibben as mk\n{example}",
     ]
-    parameters = ["self"] * bool(owner) + [made[n] for n in first]
-    if keywords:
-        parameters += ["*", *keywords]
+    if owner:
+        made.insert(0, "self")
     return block(
-        f"def {name}({', '.join(parameters)}) -> {answer}",
+        f"def {name}({', '.join(made)}) -> {answer}",
         about,
         f'return answered({answer}, "{command}", {given}{drawn})',
     )
@@ -469,7 +453,8 @@ def fields_class() -> str:
 
 def record(name: str, schema: Schema, rows: str | None) -> str:
     fields, always = properties(schema), required(schema)
-    base = f"_record.{BASES[name]}" if name in BASES else "Record"
+    # What it can do besides is in a class of the same name.
+    base = f"_record.{name}" if f"\nclass {name}(" in RECORDS else "Record"
     lines = [f"_rows = {json.dumps(rows)}"] if rows else []
     # Those that are always there first, as in any dataclass.
     for field, value in sorted(fields.items(), key=lambda f: f[0] not in always):
@@ -504,7 +489,7 @@ def answers() -> dict[str, tuple[Schema, str | None]]:
     def reach(schema: Schema) -> None:
         for name in re.findall(r"#/\$defs/(\w+)", json.dumps(schema)):
             held, called = schemas()["$defs"][name], NAMES.get(name, name)
-            if called not in out and is_record(held):
+            if called not in out and properties(held):
                 out[called] = held, None
                 reach(held)
 
@@ -536,7 +521,7 @@ def api() -> str:
     known = "Where a simulation is; None what it is not."
     wanted = "Numbers that a muscle is asked for."
     parts += [
-        numbers("Solution(_record.Points)", about, COLUMNS["float"], "Answer"),
+        numbers("Solution(_record.Solution)", about, COLUMNS["float"], "Answer"),
         # Of a muscle or of a joint: whoever asks knows which it is, and needs no look at None.
         numbers("State(Record)", known, "float", "MotionSeries"),
         fields_class(),
@@ -560,28 +545,26 @@ def said(*command: str, given: str = "") -> str:
 def reference_page() -> str:
     """All that is public, each with its docstring as Python shows it."""
     import mckibben
-    from mckibben import _api
 
-    public = vars(mckibben) | {name: getattr(_api, name) for name in _api.__all__}
     out = ["# Python reference"]
-    for name, made in sorted(public.items()):
-        is_part = lambda value: inspect.isfunction(value) or isinstance(value, property)
-        parts = [("", made), *inspect.getmembers(made, is_part)]
-        for part, value in parts if name[0] != "_" and callable(made) else []:
-            if part[:1] != "_":
-                title = f"## `{name}`" if value is made else f"### `{name}.{part}`"
-                out += [title, f"```text\n{inspect.getdoc(value)}\n```"]
+
+    def put(title: str, value: Any) -> None:
+        out.extend([title, f"```text\n{inspect.getdoc(value)}\n```"])
+
+    for name, made in sorted((vars(mckibben) | vars(mckibben.answers)).items()):
+        if callable(made):
+            put(f"## `{name}`", made)
+            for part, value in inspect.getmembers(made):
+                if part[0] != "_" and isinstance(value, (FunctionType, property)):
+                    put(f"### `{name}.{part}`", value)
     return "\n\n".join(out) + "\n"
 
 
-def main(what: str, place: str = str(PACKAGE / "_api.py")) -> None:
-    if what == "reference":
-        Path(place).write_text(reference_page(), "utf-8")
-        return
-    text, held = api(), (PACKAGE / "_api.py").read_text("utf-8")
+def main(what: str, place: str = str(API)) -> None:
+    text = reference_page() if what == "reference" else api()
     if place != "--check":
         Path(place).write_text(text, "utf-8")
-    elif text != held:
+    elif text != API.read_text("utf-8"):
         sys.exit("python python/write.py api writes it anew")
 
 

@@ -417,7 +417,7 @@ class BranchAnswer(Record):
     overstress_standard_error: float | None
 
 
-class Build(_record.Files):
+class Build(_record.Build):
     """All that is needed to build a muscle.
 
     Attributes
@@ -1680,7 +1680,7 @@ class Comparison(Record):
     mean_volume_mm3: float | None = None
 
 
-class Curve(_record.Curves):
+class Curve(_record.Curve):
     """A family of curves.
 
     Attributes
@@ -1943,7 +1943,7 @@ class Derived(Record):
     volume_mm3: float
 
 
-class Design(_record.Designed):
+class Design(_record.Design):
     """Ranked muscles, and the reasons why others fail.
 
     Attributes
@@ -2355,7 +2355,7 @@ class ErrorSummary(Record):
     max_of_isobar: float
 
 
-class Export(_record.Files):
+class Export(_record.Export):
     """A muscle as files for a target.
 
     Attributes
@@ -2887,7 +2887,7 @@ class FindingAnswer(Record):
     holds: bool
 
 
-class Fit(_record.Fitting):
+class Fit(_record.Fit):
     """A formula with its data, as in its file.
 
     Attributes
@@ -3110,7 +3110,7 @@ class HeldOutError(Record):
     stiffer: float
 
 
-class Identification(_record.Identified):
+class Identification(_record.Identification):
     """Result of the identification.
 
     Attributes
@@ -3284,7 +3284,7 @@ class IdentifiedPoint(Record):
     branch: Literal["mean", "contraction", "elongation"] | None = None
 
 
-class JointExport(_record.Files):
+class JointExport(_record.JointExport):
     """A joint as files for a target.
 
     Attributes
@@ -3445,7 +3445,7 @@ class JointRow(Record):
     pressure_2_uncertainty_mpa: float | None = None
 
 
-class JointSolution(_record.Turned):
+class JointSolution(_record.JointSolution):
     """A joint's answer.
 
     Attributes
@@ -5472,7 +5472,7 @@ class RubberDetails(Record):
     warnings: list[AnswerWarning]
 
 
-class RubberFit(_record.FittedLaws):
+class RubberFit(_record.RubberFit):
     """The laws of the tests.
 
     Attributes
@@ -5767,7 +5767,7 @@ class Series(Record):
     neutral: bool | None = None
 
 
-class Shape(_record.Shaped):
+class Shape(_record.Shape):
     """The half muscle from its middle (z = 0) to a terminal; the other half is its mirror image.
 
     Attributes
@@ -7160,7 +7160,7 @@ class Measures(TypedDict, total=False):
     stiffness: Number | None
 
 
-class Solution(_record.Points):
+class Solution(_record.Solution):
     """Points of a muscle as arrays of one shape; NaN where a point does not have it.
 
     Attributes

@@ -84,7 +84,8 @@ class InternalError(MckibbenError, RuntimeError):
 
 def wrong_type(field: str, wanted: str, value: object) -> WrongTypeError:
     """That an argument takes something else."""
-    return WrongTypeError(f"{wanted}, not {type(value).__name__}", field=field)
+    said = f"{wanted}, not {type(value).__name__}"
+    return WrongTypeError(said, field=ARGUMENTS.get(field, field))
 
 
 def checked(field: str, value: Any, *kinds: type) -> Any:
@@ -112,6 +113,9 @@ ARGUMENTS = {
     "figure": "units",
     "with": "with_",
     "bulk_modulus": "bulk_modulus_mpa",
+    "braid.strand_diameter": "strand_diameter_mm",
+    "pressure": "pressure_mpa",
+    "part": "name",
 }
 
 # What keywords make is no file, and is named by what it is; so are tables.
@@ -121,6 +125,8 @@ TABLES = ("data", "log", "table", "tables", "load_tables")
 
 def of(values: dict[str, Any]) -> MckibbenError:
     """The exception of a problem, as the compiled half hands it over."""
+    from ._api import KEYS
+
     # Commands in the words of Python, and the argument that is to blame.
     for name in ("message", "hint"):
         for there, here in (
@@ -129,14 +135,16 @@ def of(values: dict[str, Any]) -> MckibbenError:
             ("`direction`", "`branch`"),
         ):
             values[name] = re.sub(there, here, values[name])
-    field: Any = values.get("field")
-    values["field"] = ARGUMENTS.get(field, field)
+    names = ARGUMENTS | {key: name for name, key in KEYS.items()}
     kind, message = KINDS.get(values["kind"], InputError), values["message"]
-    said = re.match(
-        r"there is no (command|model|part)\b|`(\w+)` is (?:missing|no)", message
+    said = re.search(
+        r"^there is no (command|model|part)\b|^`(\w+)` (?:is missing|is no|has no|needs)"
+        r"|: missing field `(\w+)`|^outside .* model: (pressure|contraction) "
+        r"|(?:^|: )((?:tube|braid|terminals|friction)\.\w+) is ",
+        message,
     )
-    if said and not values["field"]:
-        values["field"] = "name" if said[1] == "part" else said[1] or said[2]
+    field: Any = values.get("field") or (said and next(filter(None, said.groups())))
+    values["field"] = names.get(field, field)
     name, _, rest = message.partition(":")
     if name in TABLES or (kind is FileError and name in _TEXTS):
         kind, rest = InputError, rest.strip().replace("tube.material.", "")

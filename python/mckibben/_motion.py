@@ -58,29 +58,31 @@ def _table(of: str, given: Any) -> dict[str, Any]:
     """A table of a file. A number carries its unit in the key, and in the file it is a text with that unit; a tuple of two is bounds, of pairs the first are times."""
     out: dict[str, Any] = {}
     for name, value in checked(of, given, Mapping).items():
-        unit, words = _native.unit_of(name), name.split("_")
         if value is None:
             continue
-        # The unit is the shortest end of the name that is one by itself.
-        for end in range(len(words) - 1, 0, -1):
-            if unit and _native.unit_of("_".join(["x", *words[end:]])) == unit:
-                words = words[:end]
-                break
-
-        def said(held: Any) -> Any:
-            is_number = type(held) in (int, float)
-            return f"{held!r} {unit}" if unit and is_number else held
-
-        found = plain(name, value)
-        if isinstance(value, tuple) and len(value) == 2 and unit:
-            found = f"{found[0]!r}..{found[1]!r} {unit}"
-        elif isinstance(found, list):
-            found = [
-                [item[0], said(item[1])] if isinstance(item, list) else said(item)
-                for item in found
-            ]
-        out["_".join(words)] = said(found)
+        found, unit = plain(name, value), _native.unit_of(name)
+        if unit:
+            if isinstance(value, tuple) and len(value) == 2:
+                found = f"{found[0]!r}..{found[1]!r} {unit}"
+            found = _stated(found, unit)
+            # The unit is the shortest end of the name that is one by itself.
+            words = name.split("_")
+            for end in range(len(words) - 1, 0, -1):
+                if _native.unit_of("_".join(["x", *words[end:]])) == unit:
+                    name = "_".join(words[:end])
+                    break
+        out[name] = found
     return out
+
+
+def _stated(value: Any, unit: str) -> Any:
+    """Numbers as texts with their unit; of pairs the first are times."""
+    if isinstance(value, list):
+        return [
+            [v[0], _stated(v[1], unit)] if isinstance(v, list) else _stated(v, unit)
+            for v in value
+        ]
+    return f"{value!r} {unit}" if type(value) in (int, float) else value
 
 
 def _tables(given: Mapping[str, Any]) -> dict[str, Any]:
@@ -143,11 +145,8 @@ class _File(Fixed):
     def _saved(self, path: Any) -> Any:
         folder = os.path.dirname(path)
         # A muscle of the library has no text.
-        files = {path: self.to_toml()}
-        for name, text in self._beside().items():
-            if text:
-                files[os.path.join(folder, name)] = text
-        return files
+        beside = {os.path.join(folder, n): t for n, t in self._beside().items() if t}
+        return {path: self.to_toml(), **beside}
 
     def _key(self) -> Any:
         return self.to_toml(), tuple(sorted(self._beside().items()))
@@ -209,18 +208,17 @@ class Joint(_api.JointCommands, _File):
             hint = 'radius_mm=25, or "radius": "25 mm"'
             raise InputError("has no unit", field="radius", hint=hint)
         muscles: Any = {}
+        of_both = _table("", {"contraction_at_neutral": contraction_at_neutral})
         for side, muscle, geometry in (
-            (1, muscle_1, geometry_1),
+            (1, checked("muscle_1", muscle_1, Muscle), geometry_1),
             (2, muscle_2, geometry_2),
         ):
-            if muscle is None:
-                continue
-            checked(f"muscle_{side}", muscle, Muscle)
-            place = f"muscle_{side}.toml" if muscle != muscle_1 else "muscle_1.toml"
-            muscles[place] = plain(place, muscle)
-            neutral = {"contraction_at_neutral": contraction_at_neutral}
-            keys = _table(f"geometry_{side}", {**neutral, **(geometry or {})})
-            made[f"muscle_{side}"] = {"file": place, **keys}
+            if muscle is not None:
+                checked("muscle_2", muscle, Muscle)
+                place = f"muscle_{side if muscle != muscle_1 else 1}.toml"
+                muscles[place] = plain(place, muscle)
+                keys = _table(f"geometry_{side}", geometry or {})
+                made[f"muscle_{side}"] = {"file": place, **of_both, **keys}
         self._hold(_held=self._written(made, muscles=list(muscles.values())))
         # Keys that make no joint are an error at once.
         self._parts
@@ -256,8 +254,8 @@ class Joint(_api.JointCommands, _File):
         for i, muscle in enumerate(muscles):
             contraction, arm, arm_slope = held[3 * i : 3 * i + 3]
             how = {"branch": "mean", "errors": errors, **options}
-            point = held[i - len(muscles)], contraction
-            pull = muscle._asked("force", *point, slopes, how)
+            pressure = held[i - len(muscles)]
+            pull = muscle._asked("force", pressure, contraction, slopes, how)
             pull, rates = pull if slopes else (pull, np.zeros(2))
             torque = torque + 1e-3 * arm * pull
             by_pressure.append(1e-3 * arm * rates[..., 0])
@@ -432,7 +430,8 @@ class Drive(_api.DriveCommands, _File):
         **others: Keys | str | None,
     ) -> None:
         place = f"{checked('of', of, Muscle, Joint)._kind}.toml"
-        named = [{**table(data), "name": n} for n, data in (tables or {}).items()]
+        held = checked("tables", tables or {}, Mapping)
+        named = [{**table(data, "tables"), "name": n} for n, data in held.items()]
         commands = _table("command", command)
         if not commands:
             raise InputError("is empty", field="command")
@@ -540,9 +539,8 @@ class Simulation:
         if not isinstance(drive, Drive):
             with blamed("drive"):
                 drive = Drive._of(_native.read(path("drive", drive), "drive"))
-        held = drive._held
-        asked = fields({**held, **modelled(known(options, _api.Options))})
-        self._hold(asked, dt_s, record)
+        asked = fields({**drive._held, **modelled(known(options, _api.Options))})
+        self._hold(asked, dt_s, checked("record", record, bool, np.bool_))
 
     def _hold(
         self,
@@ -592,12 +590,12 @@ class Simulation:
         kind, count, is_joint = self._native.commands
         several = isinstance(command, (list, tuple)) or getattr(command, "ndim", 0) == 1
         given: Any = command if several else [command] * count
-        if force_n if is_joint else torque_nm:
+        of_muscle, of_joint = ("force_n", force_n), ("torque_nm", torque_nm)
+        own, other = (of_joint, of_muscle) if is_joint else (of_muscle, of_joint)
+        if other[1]:
             said = "torque_nm is for a joint, force_n for a muscle"
-            raise WrongTypeError(said, field="force_n" if is_joint else "torque_nm")
-        name = "torque_nm" if is_joint else "force_n"
-        outside = number(name, torque_nm or force_n)
-        unit = _COMMANDS[kind]
+            raise WrongTypeError(said, field=other[0])
+        outside, unit = number(*own), _COMMANDS[kind]
         values = [
             v if type(v) is float and v <= 1.0 else number(unit, v) for v in given
         ]
@@ -625,7 +623,7 @@ class Simulation:
             The array is not a state of this drive.
         """
         with blamed("state"):
-            self._native.restore(array("state", state).tolist())
+            self._native.restore(array("state", state).ravel().tolist())
         return self.state
 
     @property
@@ -694,7 +692,8 @@ def rollout(
     >>> ends["contraction"].shape
     (2, 6)
     """
-    kind, count, _ = simulation._native.commands
+    native = checked("simulation", simulation, Simulation)._native
+    kind, count, _ = native.commands
     given = array("commands", commands)
     given = given[..., None] if given.ndim == 2 and count == 1 else given
     if given.ndim != 3 or given.shape[2] != count:
@@ -707,5 +706,5 @@ def rollout(
     if given.size:
         rows = np.ascontiguousarray(given).reshape(-1, count)
         how = is_nan(errors), heard(progress, "rollout")
-        _native.rollout(simulation._native, steps, rows, out.reshape(-1), *how)
+        _native.rollout(native, steps, rows, out.reshape(-1), *how)
     return {name: out[:, :, i] for i, name in enumerate(simulation._names)}

@@ -82,14 +82,11 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     _held: _native.Muscle
     _models: dict[Any, _native.Model]
 
-    def _take(self, native: _native.Muscle) -> Self:
-        return self._hold(_held=native, _models={})
-
     def _make(self, given: dict[str, Any]) -> Self:
         for name in () if "file" in given else MEASURES[:3]:
             if given[name] is None:
                 raise wrong_type(name, 'a length such as 30 or "30 mm"', None)
-        return self._take(_native.Muscle({"muscle": fields(given)}))
+        return self._hold(_held=_native.Muscle({"muscle": fields(given)}), _models={})
 
     @classmethod
     def _of(cls, file: Any = None, **given: Any) -> Self:
@@ -161,8 +158,9 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         with suppress(InputError, TypeError):
             if Muscle(**out) == self:
                 rubber: Any = out.get("rubber")
-                held = {"rubber": rubber.to_dict()} if hasattr(rubber, "law") else {}
-                return {**out, **held}
+                if hasattr(rubber, "law"):
+                    out["rubber"] = rubber.to_dict()
+                return out
         return {"toml": self.to_toml()}
 
     def _bound(self, given: Mapping[str, Any]) -> _native.Model:
@@ -216,16 +214,11 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             )
         first, second = np.broadcast_arrays(a, b)
         hear = heard(progress, wanted)
-        try:
-            chain = self._chain(list(names)) if (jac if flag else names) else None
-            out: Any
-            with blamed(is_one=first.ndim == 0):
-                out, said = filled(bound, wanted, chain, first, second, nan, True, hear)
-        except InputError as error:
-            if error.kind == "parameter":
-                self._refuse(names, "jac")
-                error.field = "jac"
-            raise
+        self._refuse(names, "jac")
+        chain = self._chain(list(names)) if (jac if flag else names) else None
+        out: Any
+        with blamed(is_one=first.ndim == 0):
+            out, said = filled(bound, wanted, chain, first, second, nan, True, hear)
         _say(said)
         out = masked(out, mask)
         if chain is None:
@@ -307,11 +300,6 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     def _follows(self, measure: str) -> dict[str, float]:
         """How the parameters change with a measure of :meth:`replace`: by central differences of smooth formulas."""
         value = self._field(measure)
-        if not isinstance(value, float):
-            raise InputError(
-                f"{measure}: no derivative by {value!r}; use ['braid.stiffness']",
-                kind="parameter",
-            )
         step = 1e-4 * abs(value)
         high, low = (
             self._of(self, **{measure: value + sign * step}).parameters
@@ -326,15 +314,16 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
 
     def _refuse(self, names: Collection[str], field: str) -> None:
         """Refuses names by which there are no derivatives."""
-        there = [*MEASURES, *self.parameters]
+        there = [*MEASURES, *self.parameters] if names else []
         for name in names:
             if name not in there:
+                said = f"no derivative by {name!r}; there is {', '.join(there)}"
                 near = get_close_matches(name, there, 1)
-                raise InputError(
-                    f"no derivative by {name!r}; there is {', '.join(there)}",
-                    field=field,
-                    hint=f"did you mean {near[0]}?" if near else "",
-                )
+                hint = f"did you mean {near[0]}?" if near else ""
+                raise InputError(said, field=field, hint=hint)
+            if name in MEASURES and isinstance(value := self._field(name), str):
+                said = f"{name}: no derivative by {value!r}; use ['braid.stiffness']"
+                raise InputError(said, field=field, kind="parameter")
 
     def _chain(
         self, names: Sequence[str], held: Collection[str] = ()
@@ -363,7 +352,8 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         given = checked("values", values, Mapping)
         changes = [(n, number(n, v)) for n, v in given.items()]
         with blamed("values"):
-            return object.__new__(Muscle)._take(self._held.changed(changes))
+            changed = self._held.changed(changes)
+        return object.__new__(Muscle)._hold(_held=changed, _models={})
 
     @property
     def rubber(self) -> str | Rubber:

@@ -72,7 +72,7 @@ class Rubber(Saved):
     @classmethod
     def from_toml(cls, text: str) -> Rubber:
         """The rubber of its table, or of a muscle file."""
-        held = _native.toml("rubber", text).get("tube", {})
+        held = _native.toml("rubber", checked("text", text, str)).get("tube", {})
         if "material" not in held:
             raise InputError(
                 f"the rubber is {held.get('rubber', 'paper')!r} of the library",
@@ -107,6 +107,7 @@ class Rubber(Saved):
         array([0. , 0.7])
         """
         stretches = array("stretch", stretch)
+        mode = checked("mode", mode, str)
         found = self._held.stress(mode, stretches.ravel().tolist())
         return np.reshape(found, stretches.shape)
 
@@ -159,7 +160,9 @@ class Formula(Saved):
     _text: str
 
     def __init__(self, text: str, name: str | None = None) -> None:
-        native = _native.Formula(name or "the formula", checked("text", text, str))
+        file = checked("name", name or "the formula", str)
+        with blamed("text"):
+            native = _native.Formula(file, checked("text", text, str))
         self._hold(_held=native, _text=text, name=name or json.loads(text)["name"])
 
     @overload
@@ -224,6 +227,8 @@ class Formula(Saved):
         held = (np.ma.filled(values, np.nan) for values in given)
         points = np.stack(np.broadcast_arrays(*held), axis=-1)
         out = np.empty(points.shape[:-1])
+        checked("extrapolate", extrapolate, bool, np.bool_)
+        checked("two_sided", two_sided, bool, np.bool_)
         how = extrapolate, two_sided, is_nan(errors)
         with blamed(is_one=out.ndim == 0):
             self._held.fill(points.reshape(-1, 4), out.reshape(-1), *how)
@@ -288,7 +293,11 @@ def load(path: str | os.PathLike[str], kind: type[Any] = object) -> Any:
             try:
                 answer = json.loads(text)
                 made: type[Record] = getattr(_api, answer.get("mckibben", ""), Record)
-                found = Formula(text) if made is Record else made._load(answer)
+                found = (
+                    Formula(text)
+                    if made is Record
+                    else made._read(answer["data"], answer["asked"])
+                )
             except (KeyError, json.JSONDecodeError) as error:
                 raise FileError(f"{path}: not what was saved: {error}") from None
         elif text.startswith("[tube.material]"):

@@ -8,6 +8,7 @@ import re
 import sys
 from collections.abc import Mapping, Sequence
 from functools import cache
+from keyword import iskeyword
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from . import _native
@@ -66,7 +67,7 @@ class Record(Fixed):
         """The answer of JSON, and of which question it is."""
         made, kinds = cls(**{"_asked": asked}), cls._nested()
         for name, value in data.items():
-            field = name + "_" if name in ("from", "import") else name
+            field = name + "_" * iskeyword(name)
             made.__dict__[field] = _wrapped(kinds.get(name), value)
         return made
 
@@ -118,21 +119,18 @@ class Record(Fixed):
         return pd.DataFrame(self.to_columns())
 
     def _saved(self, path: Any) -> Any:
-        held = {"mckibben": type(self).__name__, **self._state()}
+        data, asked = self._state()
+        held = {"mckibben": type(self).__name__, "data": data, "asked": asked}
         return {path: json.dumps(held, ensure_ascii=False)}
 
-    def _state(self) -> dict[str, Any]:
-        data, figure = self.to_dict(), getattr(self, "figure", None)
-        if figure:
+    def _state(self) -> tuple[dict[str, Any], Any]:
+        data = self.to_dict()
+        if figure := getattr(self, "figure", None):
             data["figure"] = figure.to_dict()
-        return {"data": data, "asked": self._asked}
-
-    @classmethod
-    def _load(cls, state: Mapping[str, Any]) -> Self:
-        return cls._read(state["data"], state["asked"])
+        return data, self._asked
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self)._load, (self._state(),)
+        return type(self)._read, self._state()
 
     def _key(self) -> Any:
         # The figure is the same facts once more.
@@ -162,14 +160,14 @@ class Record(Fixed):
         ax
             Axes to draw on, or a list of them, one for each panel; new ones where they are left out.
         """
-        figure = getattr(self, "figure", None)
-        if not hasattr(self, "figure") or not (figure or self._asked):
+        has_one: Any = self
+        if not hasattr(self, "figure") or not (has_one.figure or self._asked):
             raise TypeError(f"{type(self).__name__} has no figure")
-        if figure and units is None:
-            return drawn(figure.to_dict(), ax)
-        command, request = self._asked
-        asked = {**request, "figure": units or "MPa"}
-        return drawn(_native.ask(command, asked)["figure"], ax)
+        if units or not has_one.figure:
+            command, request = self._asked
+            asked = {**request, "figure": units or "MPa"}
+            has_one = self._read(_native.ask(command, asked))
+        return drawn(has_one.figure, ax)
 
 
 def _wrapped(kind: type[Record] | None, value: Any) -> Any:
@@ -202,77 +200,63 @@ def of_rows(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     return {name: column([row.get(name) for row in rows]) for name in names}
 
 
-def _series(axis: Any, series: dict[str, Any], number: int, ramp: Any) -> None:
+def _series(axis: Any, series: Any, number: int, ramp: Any) -> None:
     """One line, row of points, or band."""
     colour = ramp(number) if ramp else _COLOURS[number % len(_COLOURS)]
-    if series.get("neutral"):
+    if series.neutral:
         colour = "#808080"
     # A text that the program writes at the end of a line is in the legend here.
-    label = series.get("label") or series.get("end_label")
-    x, y = np.array(series["points"], dtype=np.float64).reshape(-1, 2).T
-    style = series.get("style", "auto")
-    if style == "band":
+    label = series.label or series.end_label
+    x, y = np.array(series.points, np.float64).reshape(-1, 2).T
+    if series.style == "band":
         axis.fill(x, y, color=colour, alpha=0.2, linewidth=0, label=label)
-    else:
-        line = _STYLES.get(style, "-" if ramp else _DASHES[number % len(_DASHES)])
-        axis.plot(
-            x,
-            y,
-            color=colour,
-            linestyle=line,
-            marker="o" if style == "points" else None,
-            markersize=4,
-            label=label,
-        )
+        return
+    line = _STYLES.get(series.style, "-" if ramp else _DASHES[number % len(_DASHES)])
+    dot = "o" if series.style == "points" else None
+    axis.plot(x, y, color=colour, ls=line, marker=dot, markersize=4, label=label)
 
 
-def drawn(figure: dict[str, Any], ax: Any) -> Any:
+def drawn(figure: Any, ax: Any) -> Any:
     """The axes with the figure on them."""
     import matplotlib.pyplot as plt
     from matplotlib.colors import LinearSegmentedColormap
 
-    panels = figure["panels"]
+    panels = figure.panels
     is_one = len(panels) == 1
     axes = list(np.ravel(ax))
     if ax is None:
-        columns = min(figure.get("columns") or 1, len(panels))
+        columns = min(figure.columns or 1, len(panels))
         rows = -(-len(panels) // columns)
+        size = 6.4 * columns, 4.4 * rows
         made, grid = plt.subplots(
-            rows,
-            columns,
-            squeeze=False,
-            figsize=(6.4 * columns, 4.4 * rows),
-            layout="constrained",
+            rows, columns, squeeze=False, figsize=size, layout="constrained"
         )
         axes = list(grid.flat)
         for spare in axes[len(panels) :]:
             spare.remove()
-        made.suptitle("" if is_one else figure["title"])
+        made.suptitle("" if is_one else figure.title)
     if len(axes) < len(panels):
         raise ValueError(f"{len(panels)} panels need as many axes")
     for panel, axis in zip(panels, axes):
-        numbers = [s.get("colour", i) for i, s in enumerate(panel["series"])]
-        ramp = (
-            LinearSegmentedColormap.from_list("ramp", _RAMP, max(numbers) + 1)
-            if figure.get("palette") == "sequential"
-            else None
-        )
-        for series, number in zip(panel["series"], numbers):
+        numbers = [
+            i if s.colour is None else s.colour for i, s in enumerate(panel.series)
+        ]
+        ramp = None
+        if figure.palette == "sequential":
+            ramp = LinearSegmentedColormap.from_list("", _RAMP, max(numbers) + 1)
+        for series, number in zip(panel.series, numbers):
             _series(axis, series, number, ramp)
-        for mark in panel.get("marks", []):
-            at = mark["x"], mark["y"]
+        for mark in panel.marks:
+            at = mark.x, mark.y
             axis.plot(*at, "ko", markerfacecolor="white", zorder=5)
-            axis.annotate(mark["label"], at, (6, 6), textcoords="offset points")
-        axis.set(
-            xlabel=panel["x"]["label"],
-            ylabel=panel["y"]["label"],
-            title=panel["title"] or (figure["title"] if is_one else ""),
-        )
-        for name in ("x", "y"):
-            ends = panel[name].get("range")
-            if panel[name].get("from_zero") and not ends:
-                ends = np.array([*getattr(axis, f"get_{name}lim")(), 0.0])
-            if ends is not None:
+            axis.annotate(mark.label, at, (6, 6), textcoords="offset points")
+        axis.set_title(panel.title or (figure.title if is_one else ""))
+        for name, of in (("x", panel.x), ("y", panel.y)):
+            ends = of.range
+            if of.from_zero and not ends:
+                ends = [*getattr(axis, f"get_{name}lim")(), 0.0]
+            axis.set(**{f"{name}label": of.label})
+            if ends:
                 axis.set(**{f"{name}lim": (min(ends), max(ends))})
         axis.grid(visible=True, alpha=0.3)
         if axis.get_legend_handles_labels()[1]:
@@ -280,7 +264,7 @@ def drawn(figure: dict[str, Any], ax: Any) -> Any:
     return axes[0] if is_one else axes[: len(panels)]
 
 
-class Points(Record):
+class Solution(Record):
     """Points of a muscle as arrays of one shape, each an attribute; ``model`` is the model's name.
 
     ``slack`` where the muscle hangs; ``warned`` has at each point a bit for each of ``warnings``; where ``status`` is not ``ok``, ``cause`` says why.
@@ -303,23 +287,19 @@ class Points(Record):
         made = cls(**{name: data[name] for name in ("model", "warnings")})
         for name in dict.fromkeys([*cls.__annotations__, *data]):
             if name not in made.__dict__:
-                values = data.get(name, np.full(shape, np.nan))
-                own = np.array(values, kinds.get(name, np.float64)).reshape(shape)
+                values = data.get(name, np.nan)
+                own = np.resize(np.array(values, kinds.get(name, np.float64)), shape)
                 own.flags.writeable = False
                 made.__dict__[name] = own
         return made
 
     def _arrays(self) -> dict[str, NDArray[Any]]:
-        """The arrays that hold something."""
+        """The arrays that hold something; those of no points do."""
         return {
             name: values
             for name, values in self._fields().items()
             if hasattr(values, "dtype")
-            and (
-                values.dtype.kind != "f"
-                or not np.isnan(values).all()
-                or not values.size
-            )
+            and not (values.size and (values != values).all())
         }
 
     @property
@@ -387,7 +367,7 @@ def _with_units(found: xarray.Dataset) -> xarray.Dataset:
     return found
 
 
-class Turned(Record):
+class JointSolution(Record):
     """Points of a joint, angle after angle for each set of pressures."""
 
     def grid(self: Any, column: str) -> Array:
@@ -404,7 +384,7 @@ class Turned(Record):
         return _with_units(xr.Dataset(held, {"angle_deg": angles}))
 
 
-class Curves(Record):
+class Curve(Record):
     """A family of curves, its points as columns."""
 
     @classmethod
@@ -432,7 +412,7 @@ class Curves(Record):
         return np.array(self[column], np.float64).reshape(len(self.fixed), -1)
 
 
-class Fitting(Record):
+class Fit(Record):
     """A fitted formula with all that is known of it."""
 
     @property
@@ -447,7 +427,7 @@ class Fitting(Record):
         return Formula(text, held["name"])
 
 
-class Identified(Record):
+class Identification(Record):
     """Constants found in measured points, with their errors: ``found["name"]``, ``found["value"]``, ``found["standard_error"]`` are arrays of them."""
 
     @property
@@ -480,7 +460,7 @@ class Identified(Record):
         return "\n".join([*words, *(f"note: {w.message}" for w in self.warnings)])
 
 
-class FittedLaws(Record):
+class RubberFit(Record):
     """Laws fitted to tests of a rubber; ``parameters`` are those of the recommended one."""
 
     def rubber(self: Any, law: str | None = None) -> Rubber:
@@ -503,7 +483,7 @@ class FittedLaws(Record):
         return Rubber(found.law, **constants)
 
 
-class Designed(Record):
+class Design(Record):
     """Ranked muscles, and why others fail."""
 
     @property
@@ -555,7 +535,19 @@ class Files(Record):
         return next(iter(contents))
 
 
-class Shaped(Record):
+class Build(Files):
+    """All that is needed to build a muscle."""
+
+
+class Export(Files):
+    """A muscle for other programs."""
+
+
+class JointExport(Files):
+    """A joint for other programs."""
+
+
+class Shape(Record):
     """The deformed muscle. In a notebook it is shown in space."""
 
     def array(self: Any, name: str) -> Array:

@@ -312,12 +312,11 @@ def answered(
     try:
         found = _native.ask(command, {**request, **drawn}, progress)
     except MckibbenError as error:
-        # A name in quotes is one that was given.
+        # What is in quotes is what was given.
         quoted = re.split('["`]', error.message)[1:2]
         for name, value in given.items():
-            if isinstance(value, (list, tuple)) and any(
-                str(v) in quoted for v in value
-            ):
+            items = value if isinstance(value, (list, tuple)) else [value]
+            if any(str(item) in quoted for item in items):
                 error.field = error.field or name
         raise
     return kind._read(found, (command, request))
@@ -346,8 +345,8 @@ def fields(given: Mapping[str, Any]) -> dict[str, Any]:
 def modelled(given: Mapping[str, Any], command: str = "force") -> dict[str, Any]:
     """Arguments, those of the model as the one object that the request of a command has, and the branch under its field."""
     out = dict(given)
-    model = {name: out.pop(name, None) for name in MODEL}
-    model["name"] = out.pop("model", None)
+    model = fields({name: out.pop(name, None) for name in ("model", *MODEL)})
+    model["name"] = model.pop("model", None)
     branch = out.pop("branch", None)
     by = "branches" if command == "identify" else "direction"
     if (command, branch) == ("curve", "both"):
@@ -418,7 +417,7 @@ def table(value: Any, name: str = "data") -> dict[str, str]:
     return (
         _native.read(value, "table")
         if isinstance(value, (str, os.PathLike))
-        else {"name": name, "text": to_csv(value)}
+        else {"name": name, "text": to_csv(value, name)}
     )
 
 
@@ -431,7 +430,7 @@ def column(values: Sequence[Any]) -> Any:
     return [None if v is None else str(v) for v in values]
 
 
-def to_csv(data: Any) -> str:
+def to_csv(data: Any, field: str) -> str:
     """A data frame, records, an answer, or columns of which a single value applies to all rows, as CSV with as many digits as it takes to read back the same."""
     import csv
     import io
@@ -450,11 +449,11 @@ def to_csv(data: Any) -> str:
 
         data = pa.table(data).to_pydict()
     if not isinstance(data, Mapping):
-        raise wrong_type("data", "a path, a data frame or columns by name", data)
+        raise wrong_type(field, "a path, a data frame or columns by name", data)
     given = {str(name): plain(str(name), values) for name, values in data.items()}
     several = {n: len(held) for n, held in given.items() if isinstance(held, list)}
     if len(set(several.values())) > 1:
-        raise InputError(f"columns of different length: {several}", field="data")
+        raise InputError(f"columns of different length: {several}", field=field)
     rows = max(several.values(), default=1)
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")

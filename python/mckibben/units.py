@@ -16,7 +16,7 @@ from ._native import unit_of as unit_of
 from ._request import unit_for_pint
 
 if TYPE_CHECKING:
-    from ._record import Points, Record
+    from ._record import Record
 
 __all__ = ["quantities", "quantity", "unit_of"]
 
@@ -31,7 +31,7 @@ def quantity(name: str, value: Any, registry: Any = None) -> Any:
     )
 
 
-def quantities(answer: Record | Points, registry: Any = None) -> dict[str, Any]:
+def quantities(answer: Record, registry: Any = None) -> dict[str, Any]:
     """The numbers and arrays of an answer that have a unit, by name, as quantities."""
     return {
         name: quantity(name, value, registry)

@@ -217,26 +217,15 @@ def test_bands_are_drawn_as_bands(results: dict[str, Any]) -> None:
         and any("bar" in text.get_text() for text in own.get_legend().get_texts())
         and results["design"].plot() is not None
     )
-    line, band = (
-        {"points": [[0, 1], [1, 2]], "style": style} for style in ("line", "band")
-    )
-    axes = drawn(
-        {
-            "title": "",
-            "panels": [
-                {
-                    "series": [
-                        line,
-                        {**band, "points": [[0, 0], [1, 1], [1, 3], [0, 2]]},
-                    ],
-                    "x": {"label": "x"},
-                    "y": {"label": "y"},
-                    "title": "",
-                }
-            ],
-        },
-        None,
-    )
+    # A figure as the program writes it, with two series of its own.
+    figure = results["curve"].figure or results["design"].figure
+    made = figure.to_dict()
+    panel = made["panels"][0]
+    line = {**panel["series"][0], "points": [[0, 1], [1, 2]], "style": "line"}
+    corners = [[0, 0], [1, 1], [1, 3], [0, 2]]
+    band = {**line, "points": corners, "style": "band", "colour": None}
+    made["panels"] = [{**panel, "series": [line, band], "marks": []}]
+    axes = drawn(type(figure)._read(made), None)
     assert (len(axes.lines), len(axes.patches)) == (1, 1)
     with pytest.raises(TypeError):
         results["shape"].plot()
