@@ -11,7 +11,6 @@ use crate::{
 };
 use mckibben_core::{
     analysis::{PROOF_TO_WORKING, burst::ends::clamp_load_n},
-    by_number::ByNumber,
     model::Result,
     muscle::Muscle,
 };
@@ -258,11 +257,6 @@ impl Held {
             _ => c.excess().max(0.0),
         };
         self.checks.iter().map(missed).sum()
-    }
-
-    /// The limit that is missed by most, or met by least.
-    pub fn worst(&self) -> Option<&Check> {
-        self.checks.iter().max_by_number(|c| c.excess())
     }
 }
 

@@ -319,7 +319,8 @@ fn shorter(search: &Search<'_>, held: &Held, way: f64) -> Option<f64> {
         let mut spec = search.spec.clone();
         Relaxation::Contraction { share }.apply(&mut spec);
         let held = search.exact(&spec, held.job).ok_or(())?;
-        Ok::<f64, ()>(held.worst().map_or(0.0, |check| check.excess()))
+        let excesses = held.checks.iter().map(|check| check.excess());
+        Ok::<f64, ()>(excesses.max_by_number(|excess| *excess).unwrap_or_default())
     };
     let share = find_root(missed, 0.0, 1.0, 1e-4).ok()??;
     Some(three_digits((share - 1e-4) * way, false) / way).filter(|share| *share > 0.0)

@@ -153,7 +153,7 @@ impl<'a> Search<'a> {
     /// counts of another specification of the same list, of one make where that is asked.
     pub fn answer(&self, spec: &Spec, cast: Option<bool>, top: usize) -> Vec<Candidate> {
         let is_of_make = |held: &&Held| cast.is_none_or(|cast| cast == held.is_cast);
-        let ranked = |held: &'_ Held| Some((least_rank(spec, held)?, held.job));
+        let ranked = |held: &Held| Some((least_rank(spec, held)?, held.job));
         let of_make = self.screened.iter().filter(is_of_make);
         let mut likely = Vec::from_iter(of_make.filter_map(ranked));
         likely.sort_by_number(|one| one.0);
@@ -183,9 +183,18 @@ impl<'a> Search<'a> {
                 is_new
             });
         }
-        let found = best_chance_first(found, spec.objective);
-        let best = found.iter().take(top);
-        best.filter_map(|held| self.candidate(held)).collect()
+        // Of those that are equal to the first the one with the best chance is before the others.
+        if spec.objective == Objective::BulgedDiameter {
+            let least = found.first().map_or(0.0, |first| first.0);
+            let equal = found.partition_point(|one| one.0 <= EQUAL * least);
+            found[..equal].sort_by_number(|one| -one.1.chance.unwrap_or_default());
+        }
+        // All that is known of them.
+        let candidate = |(_, held): &(f64, Held)| {
+            let say = |assessed: &mut Assessed<'_>| Candidate::new(assessed, held).ok();
+            self.decided(self.spec, held.job.place, say)
+        };
+        found.iter().take(top).filter_map(candidate).collect()
     }
 
     /// What the model that decides says of a muscle.
@@ -206,13 +215,6 @@ impl<'a> Search<'a> {
     pub fn exact(&self, spec: &Spec, job: Job) -> Option<Held> {
         self.decided(spec, job.place, |assessed| {
             Held::new(assessed, job, Precision::Exact).ok()
-        })
-    }
-
-    /// All that is known of a muscle that holds.
-    fn candidate(&self, held: &Held) -> Option<Candidate> {
-        self.decided(self.spec, held.job.place, |assessed| {
-            Candidate::new(assessed, held).ok()
         })
     }
 
@@ -279,15 +281,4 @@ fn least_rank(spec: &Spec, held: &Held) -> Option<f64> {
         _ => held.score[0] * envelope_ratio(count) / envelope_ratio(held.count),
     };
     Some(preferred(spec, held, count, score) * (1.0 - rank))
-}
-
-/// Of those that are equal to the first the one with the best chance before the others.
-fn best_chance_first(found: Vec<(f64, Held)>, objective: Objective) -> Vec<Held> {
-    let least = found.first().map_or(0.0, |first| first.0);
-    let equal = found.partition_point(|one| one.0 <= EQUAL * least);
-    let mut found = Vec::from_iter(found.into_iter().map(|one| one.1));
-    if objective == Objective::BulgedDiameter {
-        found[..equal].sort_by_number(|held| -held.chance.unwrap_or_default());
-    }
-    found
 }

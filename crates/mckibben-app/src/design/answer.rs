@@ -342,7 +342,6 @@ pub fn warnings(c: &Candidate, bundle: Option<&Bundle>, spec: &Spec) -> Vec<Warn
              and {largest} is required: beyond that they press on each other, which is not computed"
         )));
     }
-    let of_range = Warning::not_measured(&c.muscle, c.highest_pressure_mpa);
-    all.extend(of_range);
+    all.extend(Warning::not_measured(&c.muscle, c.highest_pressure_mpa));
     all
 }

@@ -62,7 +62,6 @@ impl Search<'_> {
             spec,
             policy,
         } = self;
-        let candidates = found.candidates.iter();
         let first = found.candidates.first();
         let words = first.and_then(|winner| self.words(winner));
         let closest = found.rejected.first().filter(|_| first.is_none());
@@ -82,8 +81,9 @@ impl Search<'_> {
             assumptions: self.assumptions(found),
             looked_at: found.looked_at.0,
             fitting: found.looked_at.1,
-            candidates: candidates
-                .clone()
+            candidates: found
+                .candidates
+                .iter()
                 .map(|c| CandidateAnswer::new(c, spec))
                 .collect(),
             choices: found
@@ -103,7 +103,9 @@ impl Search<'_> {
             cycle: None,
             bundle: found.bundle.clone(),
             figure: None,
-            muscle_files: candidates
+            muscle_files: found
+                .candidates
+                .iter()
                 .enumerate()
                 .map(|(i, c)| muscle_file(i, c, spec))
                 .collect(),
