@@ -217,7 +217,7 @@ pub fn table(path: &str) -> Result<TextFile> {
 /// A volume. Users think of mL, and the unit inside is a thousandth of it.
 pub fn volume(text: &str) -> Result<Volume> {
     let text = text.trim();
-    let volume: Volume = text.parse().map_err(|e| ProblemKind::Quantity.problem(e))?;
+    let volume: Volume = text.parse()?;
     if volume.0 != 0.0 && text.parse::<f64>().is_ok() {
         return Err(Problem::new(
             ProblemKind::Quantity,

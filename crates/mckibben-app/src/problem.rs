@@ -12,7 +12,7 @@ use mckibben_core::{
     rubber::library::LibraryError,
     size::TooLarge,
     study::StudyError,
-    units::short_numbers,
+    units::{QuantityError, short_numbers},
 };
 use mckibben_design::SpecError;
 use mckibben_export::ExportError;
@@ -246,6 +246,37 @@ impl Problem {
     }
 }
 
+/// Whether a field of a request is given.
+pub trait Given {
+    fn is_given(&self) -> bool;
+}
+
+impl<T> Given for Option<T> {
+    fn is_given(&self) -> bool {
+        self.is_some()
+    }
+}
+
+impl<T> Given for Vec<T> {
+    fn is_given(&self) -> bool {
+        !self.is_empty()
+    }
+}
+
+impl Given for bool {
+    fn is_given(&self) -> bool {
+        *self
+    }
+}
+
+/// Fields of a request by their names, each with whether it is given.
+macro_rules! stated {
+    ($request:expr; $($field:ident),+) => {
+        [$((stringify!($field), $crate::problem::Given::is_given(&$request.$field))),+]
+    };
+}
+pub(crate) use stated;
+
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(field) = &self.field {
@@ -286,6 +317,7 @@ macro_rules! problems {
 problems! {
     Cancelled: Cancelled;
     TooLarge: Range;
+    QuantityError: Quantity;
     FileError: File;
     FormulaError: Formula;
     LibraryError: Rubber;

@@ -45,10 +45,11 @@ pub struct Pull {
 
 impl Pull {
     /// The pull that all but the share below z standard deviations of built muscles reach; where no
-    /// z is asked, or the spread is not known, the pull that is held. Of a push `sign` is −1.
-    pub fn quantile_n(&self, z: Option<f64>, sign: f64) -> f64 {
+    /// z is asked, or the spread is not known, the pull that is held. Of a push that is wanted
+    /// `force_n` is below zero.
+    pub fn quantile_n(&self, z: Option<f64>, force_n: f64) -> f64 {
         match (z, self.spread) {
-            (Some(z), Some((median_n, sd_n))) => median_n - sign * z * sd_n,
+            (Some(z), Some((median_n, sd_n))) => median_n - force_n.signum() * z * sd_n,
             _ => self.held_n,
         }
     }
@@ -99,12 +100,10 @@ impl<'a> Assessed<'a> {
 
     /// Lowers the highest pressure to the allowed one, with room for the relief valve.
     fn keep_allowed(&mut self) {
-        let Some(allowed) = self.burst.allowed() else {
-            return;
-        };
-        let mpa = allowed.mpa / RELIEF;
-        if mpa < self.highest_mpa {
-            (self.highest_mpa, self.below) = (mpa, Some(allowed));
+        if let Some(allowed) = self.burst.allowed()
+            && allowed.mpa / RELIEF < self.highest_mpa
+        {
+            (self.highest_mpa, self.below) = (allowed.mpa / RELIEF, Some(allowed));
         }
     }
 
@@ -150,6 +149,16 @@ impl<'a> Assessed<'a> {
         Evaluation::new(&*self.model, &mut self.workspace, self.spec.options())
     }
 
+    /// The answer of its model; where that has none, of the thick-wall model.
+    pub fn either<T, E>(&mut self, ask: impl Fn(&mut Evaluation<'_>) -> Result<T, E>) -> Option<T> {
+        let options = self.spec.options();
+        [&self.model, &self.thick_wall]
+            .into_iter()
+            .find_map(|model| {
+                ask(&mut Evaluation::new(&**model, &mut self.workspace, options)).ok()
+            })
+    }
+
     /// What a muscle that is built pulls, with its interval, where the model's error is known.
     pub fn predicted(&mut self, p: f64, contraction: f64) -> Option<Built> {
         let two_sided = Options {
@@ -177,12 +186,9 @@ impl<'a> Assessed<'a> {
 
     /// The pressure in MPa below which a share of all muscles meets every point of one.
     pub fn needed_mpa(&mut self, wanted: &[OperatingPoint], share: f64) -> Option<f64> {
-        let z = normal_deviations(share);
-        let mut needs_mpa = 0.0_f64;
-        for q in wanted {
-            needs_mpa = needs_mpa.max(self.need_mpa(q, Some(z)).ok()?);
-        }
-        Some(needs_mpa)
+        let z = Some(normal_deviations(share));
+        let mut needs = wanted.iter().map(|q| self.need_mpa(q, z).ok());
+        needs.try_fold(0.0, |most: f64, mpa| Some(most.max(mpa?)))
     }
 
     /// The ends that bear a proof test at a pressure in MPa.
@@ -205,16 +211,16 @@ impl<'a> Assessed<'a> {
     /// Refuses a point outside of the model's range.
     pub fn check_range(&self, p: f64, contraction: f64) -> Result<()> {
         let info = self.model.info();
-        if self.spec.extrapolate {
-            return Ok(());
+        match self.spec.extrapolate {
+            true => Ok(()),
+            false => info.range.check(&info.name, p, contraction),
         }
-        info.range.check(&info.name, p, contraction)
     }
 
     /// The share of the pull of a point that a quantile misses at a pressure.
     fn missed(&mut self, p: f64, point: &OperatingPoint, z: Option<f64>) -> Result<f64> {
         let pull = self.pull(p, point.contraction)?;
-        Ok(1.0 - pull.quantile_n(z, point.force_n.signum()) / point.force_n)
+        Ok(1.0 - pull.quantile_n(z, point.force_n) / point.force_n)
     }
 
     /// The pressure at which a quantile of the pull is what is required, up to the highest; the
@@ -248,10 +254,7 @@ impl<'a> Assessed<'a> {
 
     /// The pressure at which the model's own pull is what is required, or the highest.
     fn own_mpa(&mut self, point: &OperatingPoint) -> Result<f64> {
-        let OperatingPoint {
-            force_n,
-            contraction,
-        } = *point;
+        let (force_n, contraction) = (point.force_n, point.contraction);
         let max_mpa = self.highest_mpa;
         let mut model = self.evaluation();
         if let Some(p) = model.pressure_below(force_n, contraction, max_mpa) {
@@ -274,14 +277,13 @@ impl<'a> Assessed<'a> {
     pub fn full_response(&mut self, p: f64, contraction: f64) -> Result<Response> {
         cancel::check()?;
         let own = self.model.response(&mut self.workspace, p, contraction)?;
-        let is_full = own.bulged_diameter_mm.is_some()
-            && own.volume_mm3.is_some()
-            && own.max_stretch.is_some();
-        let thick_wall = &*self.thick_wall;
-        let other = match is_full {
-            true => return Ok(own),
-            false => thick_wall.response(&mut self.workspace, p, contraction),
-        };
+        let known = [own.bulged_diameter_mm, own.volume_mm3, own.max_stretch];
+        if known.iter().all(Option::is_some) {
+            return Ok(own);
+        }
+        let other = self
+            .thick_wall
+            .response(&mut self.workspace, p, contraction);
         Ok(match other {
             Ok(other) => Response {
                 bulged_diameter_mm: own.bulged_diameter_mm.or(other.bulged_diameter_mm),
@@ -300,17 +302,10 @@ impl<'a> Assessed<'a> {
     /// What is pushed in from rest to a pressure and contraction, normal litres of air or mm³ of
     /// liquid.
     pub fn stroke(&mut self, p: f64, contraction: f64) -> Option<f64> {
-        let workspace = &mut self.workspace;
-        let options = self.spec.options();
-        let mut stroke = |model: &dyn ForceModel| -> Result<f64, AnalysisError> {
-            let mut model = Evaluation::new(model, workspace, options);
-            match &self.spec.liquid {
-                Some(supply) => model.liquid_per_stroke_mm3(supply, p, contraction),
-                None => Ok(model.air_per_stroke(p, contraction)?.normal_litres),
-            }
-        };
-        stroke(&*self.model)
-            .or_else(|_| stroke(&*self.thick_wall))
-            .ok()
+        let liquid = self.spec.liquid.as_ref();
+        self.either(|model| match liquid {
+            Some(supply) => model.liquid_per_stroke_mm3(supply, p, contraction),
+            None => Ok(model.air_per_stroke(p, contraction)?.normal_litres),
+        })
     }
 }

@@ -2,9 +2,9 @@
 
 use crate::{Ends, OperatingPoint, assess::Assessed, held::Held, limits::Check};
 use mckibben_core::{
-    analysis::{Allowed, Burst, Evaluation, burst},
+    analysis::{Allowed, Burst, burst},
     built::Built,
-    by_number::SortByNumber,
+    by_number::{ByNumber, SortByNumber},
     extremes::peak,
     model::{ModelError, Response},
     muscle::Muscle,
@@ -20,9 +20,6 @@ pub struct CandidatePoint {
     /// wanted.
     #[serde(flatten)]
     pub response: Response,
-    /// What is wanted of one.
-    #[serde(skip)]
-    pub wanted: OperatingPoint,
     /// Pull at the highest pressure that supply and muscle allow, N.
     pub force_at_max_pressure_n: f64,
     /// That pull over the pull wanted, minus 1.
@@ -113,49 +110,36 @@ impl Candidate {
     /// All that is known of a muscle that was held against its specification.
     pub fn new(assessed: &mut Assessed<'_>, held: &Held) -> Result<Self, ModelError> {
         let spec = assessed.spec;
-        let muscle = assessed.muscle;
-        let wanted = spec.wanted.on_radius(held.radius_mm);
-        let whole = wanted.points(muscle.length_mm());
-        assessed.keep_strands(&whole)?;
-        let one = |q: &OperatingPoint| OperatingPoint {
-            force_n: q.force_n / f64::from(held.count),
-            ..*q
-        };
-        let wanted = Vec::from_iter(whole.iter().map(one));
+        let wanted = held.points();
+        assessed.keep_strands(&wanted)?;
         let mut points = vec![];
         for q in &wanted {
             points.push(point_of(assessed, *q)?);
         }
         let [pressure_low_mpa, pressure_high_mpa] =
             NINE_OF_TEN.map(|share| assessed.needed_mpa(&wanted, share * held.chance?.max(1e-3)));
+        // Each answer of finite elements is the start of the next: their order is part of them.
         let max_mpa = assessed.highest_mpa;
         let blocked_force_n = assessed.pull(max_mpa, 0.0)?.held_n;
-        let free = assessed.evaluation().free_contraction(max_mpa).ok();
-        let free_contraction = free.or_else(|| {
-            let (model, workspace) = (&*assessed.thick_wall, &mut assessed.workspace);
-            Evaluation::new(model, workspace, spec.options())
-                .free_contraction(max_mpa)
-                .ok()
-        });
+        let free_contraction = assessed.either(|model| model.free_contraction(max_mpa));
+        let contractions = wanted.iter().map(|q| q.contraction);
+        let furthest = contractions.max_by_number(|e| e.abs()).unwrap_or_default();
         let failures = burst(&*assessed.model).unwrap_or(assessed.burst);
-        let further = |a: f64, e: f64| if e.abs() > a.abs() { e } else { a };
-        let furthest = wanted.iter().map(|p| p.contraction).fold(0.0, further);
-        let work = assessed
-            .evaluation()
-            .work_per_stroke_j(max_mpa, 0.0, furthest);
-        let burst = assessed.spec.limits.of(failures);
+        let mut model = assessed.evaluation();
+        let work = model.work_per_stroke_j(max_mpa, 0.0, furthest);
+        let burst = spec.limits.of(failures);
         let pressure_mpa = peak(points.iter().map(|p| p.response.pressure_mpa));
         let used_mpa = pressure_mpa.max(pressure_high_mpa.unwrap_or_default());
-        let proof = burst.stretched_proof_mpa(&mut assessed.evaluation(), used_mpa);
+        let proof = burst.stretched_proof_mpa(&mut model, used_mpa);
         let proof_pressure_mpa = proof.ok().filter(|mpa| Burst::is_proof(*mpa, used_mpa));
-        let ends = proof_pressure_mpa
-            .and_then(|mpa| assessed.proved_ends(mpa))
-            .unwrap_or(held.ends);
+        let proved = proof_pressure_mpa.and_then(|mpa| assessed.proved_ends(mpa));
+        let ends = proved.unwrap_or(held.ends);
         let margins = points.iter().map(|p: &CandidatePoint| p.margin);
-        let part = held.place.tube(spec);
+        let part = held.job.place.tube(spec);
         Ok(Self {
+            muscle: assessed.muscle.clone(),
             count: held.count,
-            radius_mm: held.radius_mm,
+            radius_mm: held.job.radius_mm,
             tube: part.map(|part| part.name.clone()),
             is_cast: held.is_cast,
             product: None,
@@ -176,7 +160,6 @@ impl Candidate {
             work_j: work.ok(),
             burst,
             points,
-            muscle: muscle.clone(),
         })
     }
 
@@ -235,22 +218,24 @@ fn point_of(
         force_at_max_pressure_n: available_n,
         margin: available_n / wanted.force_n - 1.0,
         response,
-        wanted,
         air_normal_litres: stroke.filter(|_| spec.liquid.is_none()),
         liquid_volume_mm3: stroke.filter(|_| spec.liquid.is_some()),
     })
 }
 
 /// A muscle that does not fit, and why.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Rejected {
+    #[serde(skip)]
     pub muscle: Muscle,
     /// So many of it side by side.
     pub count: u32,
     /// The probability that it meets every point, apart from its other limits.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub chance: Option<f64>,
     /// The shares by which it misses its limits, summed.
     pub misses_by: f64,
     /// The bound it breaks by most.
+    #[serde(skip)]
     pub check: Check,
 }

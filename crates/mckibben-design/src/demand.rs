@@ -1,9 +1,8 @@
 //! What a muscle must do.
 
-use crate::SpecError;
-use mckibben_core::load::Load;
+use crate::{SpecError, spec::refused};
+use mckibben_core::{load::Load, units::Values};
 use serde::{Deserialize, Serialize};
-use std::borrow::Cow;
 
 /// An operating point that is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
@@ -31,42 +30,34 @@ const NO_ROOM_MM: f64 = 0.1;
 /// Shares of the way at which a load is looked at that does not grow all along it.
 const SHARES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
-/// What a muscle must do: the operating points, where these follow from its length as well.
-#[derive(Debug, Clone, PartialEq)]
+/// What the muscle must do.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "DemandAnswer")]
+#[serde(rename_all = "snake_case", tag = "kind")]
 pub enum Demand {
-    Points(Vec<OperatingPoint>),
-    /// To lift a load from the length at rest.
-    Load {
+    /// Pulls at contractions.
+    Points {
+        /// The operating points.
+        points: Vec<OperatingPoint>,
+    },
+    /// To lift a load by a stroke.
+    Stroke {
+        /// Lifted from the length at rest.
+        #[serde(skip)]
         load: Load,
-        way: Lift,
+        /// The stroke, mm.
+        stroke_mm: f64,
+    },
+    /// To lift a load to a contraction.
+    Contraction {
+        /// Lifted from the length at rest.
+        #[serde(skip)]
+        load: Load,
+        /// The contraction ratio.
+        contraction: f64,
     },
     /// To turn a joint.
     Joint(JointDemand),
-}
-
-/// How far a load is lifted.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Lift {
-    /// Stroke in mm.
-    Stroke(f64),
-    /// Contraction ratio.
-    Contraction(f64),
-}
-
-impl Lift {
-    /// Whether a load is lifted by a stroke, of which a length is a share.
-    pub fn is_stroke(demand: &Demand) -> bool {
-        let stroke = |way: &Lift| matches!(way, Self::Stroke(_));
-        matches!(demand, Demand::Load { way, .. } if stroke(way))
-    }
-
-    /// Where it ends, in mm from the length at rest of a muscle of a length in mm.
-    fn end_mm(self, length_mm: f64) -> f64 {
-        match self {
-            Self::Stroke(mm) => mm,
-            Self::Contraction(ratio) => ratio * length_mm,
-        }
-    }
 }
 
 /// Torques wanted of one of two equal muscles that turn a joint against each other on a pulley, the
@@ -76,14 +67,19 @@ impl Lift {
 /// τ/r. It is contracted by ε0 = r φm/L0 at the neutral angle, φm the largest angle of the joint,
 /// so that the other one is at its length at rest there, without a pull, and slack at every smaller
 /// angle.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(inline)]
 pub struct JointDemand {
+    /// Torques at angles.
     pub torques: Vec<TorqueWanted>,
     /// Largest angle φm in degrees to either side.
+    #[serde(skip)]
     pub largest_angle_deg: f64,
-    /// Radius r of the pulley in mm.
-    pub radius_mm: f64,
+    /// Radii r of the pulley in mm that are searched.
+    #[serde(skip)]
+    pub radii_mm: Values,
     /// Whether the two muscles lie beside each other, 2 r apart, and so must have room there.
+    #[serde(skip)]
     pub beside: bool,
 }
 
@@ -93,16 +89,37 @@ impl JointDemand {
         radius_mm * self.largest_angle_deg.to_radians() / length_mm
     }
 
-    fn points(&self, length_mm: f64) -> Vec<OperatingPoint> {
-        let point = |&TorqueWanted {
-                         torque_nm,
-                         angle_deg,
-                     }: &TorqueWanted| OperatingPoint {
-            force_n: 1e3 * torque_nm / self.radius_mm,
-            contraction: self.contraction_at_neutral(self.radius_mm, length_mm)
-                + self.radius_mm * angle_deg.to_radians() / length_mm,
+    fn points(&self, length_mm: f64, radius_mm: f64) -> Vec<OperatingPoint> {
+        let point = |t: &TorqueWanted| OperatingPoint {
+            force_n: 1e3 * t.torque_nm / radius_mm,
+            contraction: self.contraction_at_neutral(radius_mm, length_mm)
+                + radius_mm * t.angle_deg.to_radians() / length_mm,
         };
         self.torques.iter().map(point).collect()
+    }
+
+    fn check(&self) -> Result<(), SpecError> {
+        let largest_deg = self.largest_angle_deg;
+        for t in &self.torques {
+            let (torque_nm, angle_deg) = (t.torque_nm, t.angle_deg);
+            let is_sound = torque_nm > 0.0 && torque_nm.is_finite();
+            if !(is_sound && angle_deg.abs() <= largest_deg) {
+                return refused(format!(
+                    "{torque_nm} N m at {angle_deg}° is invalid: the torque must be above zero \
+                     and the angle within ±{largest_deg}°"
+                ));
+            }
+        }
+        let bounds = [
+            ("the largest angle of the joint", largest_deg),
+            ("the radius of the pulley", self.radii_mm.bounds().1),
+        ];
+        for (name, value) in bounds {
+            if !(value.is_finite() && value > 0.0) {
+                return refused(format!("{name} is {value}; it must be above zero"));
+            }
+        }
+        Ok(())
     }
 }
 
@@ -117,100 +134,93 @@ pub fn room_on_pulley_mm(demand: &Demand, radius_mm: f64, rest_mm: f64) -> Optio
 }
 
 impl Demand {
-    /// The same on a pulley of a radius in mm.
-    pub fn on_radius(&self, radius_mm: f64) -> Cow<'_, Self> {
+    /// The radii of the pulley of a joint in mm.
+    pub fn radii_mm(&self) -> Option<&Values> {
         match self {
-            Self::Joint(joint) => Cow::Owned(Self::Joint(JointDemand {
-                radius_mm,
-                ..joint.clone()
-            })),
-            _ => Cow::Borrowed(self),
+            Self::Joint(joint) => Some(&joint.radii_mm),
+            _ => None,
         }
     }
 
     /// Whether pushes of a muscle that extends are wanted: forces and contractions below zero.
     pub fn extends(&self) -> bool {
-        matches!(self, Self::Points(points) if points.iter().any(|q| q.force_n < 0.0))
+        matches!(self, Self::Points { points } if points.iter().any(|q| q.force_n < 0.0))
     }
 
-    /// The operating points of a muscle of a length in mm.
-    pub fn points(&self, length_mm: f64) -> Cow<'_, [OperatingPoint]> {
+    /// The load that is lifted.
+    pub fn load(&self) -> Option<&Load> {
         match self {
-            Self::Points(points) => Cow::Borrowed(points),
-            Self::Joint(joint) => Cow::Owned(joint.points(length_mm)),
-            Self::Load { load, way } => {
-                let end = way.end_mm(length_mm);
+            Self::Stroke { load, .. } | Self::Contraction { load, .. } => Some(load),
+            _ => None,
+        }
+    }
+
+    /// The load that is lifted, and how far in mm by a muscle of a length in mm.
+    fn lift(&self, length_mm: f64) -> Option<(&Load, f64)> {
+        match self {
+            Self::Stroke { load, stroke_mm } => Some((load, *stroke_mm)),
+            Self::Contraction { load, contraction } => Some((load, contraction * length_mm)),
+            _ => None,
+        }
+    }
+
+    /// The operating points of a muscle of a length in mm, of a joint on a pulley of a radius in mm.
+    pub fn points(&self, length_mm: f64, radius_mm: f64) -> Vec<OperatingPoint> {
+        match (self, self.lift(length_mm)) {
+            (Self::Points { points }, _) => points.clone(),
+            (Self::Joint(joint), _) => joint.points(length_mm, radius_mm),
+            (_, None) => vec![],
+            (_, Some((load, end_mm))) => {
+                let along = SHARES.map(|share| OperatingPoint {
+                    force_n: load.force_n(share * end_mm),
+                    contraction: share * end_mm / length_mm,
+                });
                 // A muscle pulls less the more it is contracted: where the load grows, the end
                 // decides.
-                let grows = SHARES
-                    .windows(2)
-                    .all(|s| load.force_n(s[0] * end) <= load.force_n(s[1] * end));
-                let shares = if grows {
-                    &SHARES[SHARES.len() - 1..]
-                } else {
-                    &SHARES
-                };
-                let at = |share: &f64| OperatingPoint {
-                    force_n: load.force_n(share * end),
-                    contraction: share * end / length_mm,
-                };
-                Cow::Owned(shares.iter().map(at).filter(|q| q.force_n > 0.0).collect())
+                let grows = along.is_sorted_by(|a, b| a.force_n <= b.force_n);
+                let from = if grows { along.len() - 1 } else { 0 };
+                let pulls = along[from..].iter().filter(|q| q.force_n > 0.0);
+                pulls.copied().collect()
             }
         }
     }
 
-    /// So many times what is wanted, over the same way.
+    /// So many times what is wanted over a share of the way; the torques of a joint have theirs
+    /// from its angles.
     #[must_use]
-    pub fn times(&self, factor: f64) -> Self {
-        self.scaled(factor, 1.0)
-    }
-
-    /// The same over a share of the way; the torques of a joint have theirs from its angles.
-    #[must_use]
-    pub fn shorter(&self, share: f64) -> Self {
-        self.scaled(1.0, share)
-    }
-
-    fn scaled(&self, factor: f64, share: f64) -> Self {
-        match self {
-            Self::Points(points) => {
-                let one = |&OperatingPoint {
-                               force_n,
-                               contraction,
-                           }: &OperatingPoint| OperatingPoint {
-                    force_n: factor * force_n,
-                    contraction: share * contraction,
-                };
-                Self::Points(points.iter().map(one).collect())
+    pub fn scaled(&self, factor: f64, share: f64) -> Self {
+        let mut scaled = self.clone();
+        match &mut scaled {
+            Self::Points { points } => {
+                for q in points {
+                    q.force_n *= factor;
+                    q.contraction *= share;
+                }
             }
-            Self::Load { load, way } => Self::Load {
-                load: load.times(factor),
-                way: match way {
-                    Lift::Stroke(mm) => Lift::Stroke(share * mm),
-                    Lift::Contraction(ratio) => Lift::Contraction(share * ratio),
-                },
-            },
-            Self::Joint(joint) => {
-                let one = |t: &TorqueWanted| TorqueWanted {
-                    torque_nm: factor * t.torque_nm,
-                    ..*t
-                };
-                Self::Joint(JointDemand {
-                    torques: joint.torques.iter().map(one).collect(),
-                    ..joint.clone()
-                })
+            Self::Stroke {
+                load,
+                stroke_mm: way,
             }
+            | Self::Contraction {
+                load,
+                contraction: way,
+            } => {
+                *load = load.times(factor);
+                *way *= share;
+            }
+            Self::Joint(joint) => joint.torques.iter_mut().for_each(|t| t.torque_nm *= factor),
         }
+        scaled
     }
 
     /// The number that says how far: the first contraction, or the stroke in mm; `None` of a joint,
     /// and of a muscle that does not shorten.
     pub fn way(&self) -> Option<f64> {
         let way = match self {
-            Self::Points(points) => points.first()?.contraction,
-            Self::Load {
-                way: Lift::Stroke(way) | Lift::Contraction(way),
-                ..
+            Self::Points { points } => points.first()?.contraction,
+            Self::Stroke { stroke_mm: way, .. }
+            | Self::Contraction {
+                contraction: way, ..
             } => *way,
             Self::Joint(_) => return None,
         };
@@ -219,89 +229,54 @@ impl Demand {
 
     /// The number that says how much: the first pull in N or torque in N m; of a load 1.
     pub fn size(&self) -> f64 {
-        match self {
-            Self::Points(points) => points.first().map_or(1.0, |q| q.force_n.abs()),
-            Self::Load { .. } => 1.0,
-            Self::Joint(joint) => joint.torques.first().map_or(1.0, |t| t.torque_nm),
-        }
+        let first = match self {
+            Self::Points { points } => points.first().map(|q| q.force_n.abs()),
+            Self::Joint(joint) => joint.torques.first().map(|t| t.torque_nm),
+            _ => None,
+        };
+        first.unwrap_or(1.0)
     }
 
     /// Checks what is wanted of a muscle of a length in mm.
     #[doc(hidden)]
     pub fn check(&self, length_mm: f64) -> Result<(), SpecError> {
-        match self {
-            Self::Joint(j) => {
-                let senseless = |t: &&TorqueWanted| {
-                    !(t.torque_nm > 0.0
-                        && t.torque_nm.is_finite()
-                        && t.angle_deg.abs() <= j.largest_angle_deg)
-                };
-                if let Some(&TorqueWanted {
-                    torque_nm,
-                    angle_deg,
-                }) = j.torques.iter().find(senseless)
-                {
-                    let largest_deg = j.largest_angle_deg;
-                    return Err(SpecError::Refused(format!(
-                        "{torque_nm} N m at {angle_deg}° is invalid: the torque must be above zero \
-                         and the angle within ±{largest_deg}°"
-                    )));
-                }
-                let bounds = [
-                    ("the largest angle of the joint", j.largest_angle_deg),
-                    ("the radius of the pulley", j.radius_mm),
-                ];
-                if let Some((name, value)) = bounds
-                    .into_iter()
-                    .find(|(_, v)| !(v.is_finite() && *v > 0.0))
-                {
-                    return Err(SpecError::Refused(format!(
-                        "{name} is {value}; it must be above zero"
-                    )));
-                }
-            }
-            Self::Load { load, way } => {
-                let end = way.end_mm(length_mm);
-                let (low, high) = load.reach_mm();
-                if !(low <= 0.0 && end <= high) {
-                    return Err(SpecError::Refused(format!(
-                        "the load is known for shortenings from {low}\u{a0}mm to {high}\u{a0}mm, \
-                         and the stroke goes from 0\u{a0}mm to {end}\u{a0}mm"
-                    )));
-                }
-            }
-            Self::Points(_) => {}
+        if let Self::Joint(joint) = self {
+            joint.check()?;
         }
-        let points = self.points(length_mm);
+        if let Some((load, end)) = self.lift(length_mm) {
+            let (low, high) = load.reach_mm();
+            if !(low <= 0.0 && end <= high) {
+                return refused(format!(
+                    "the load is known for shortenings from {low}\u{a0}mm to {high}\u{a0}mm, \
+                     and the stroke goes from 0\u{a0}mm to {end}\u{a0}mm"
+                ));
+            }
+        }
+        let widest_mm = self.radii_mm().map_or(0.0, |radii| radii.bounds().1);
+        let points = self.points(length_mm, widest_mm);
         if points.is_empty() {
-            return Err(SpecError::Refused(
+            return refused(
                 "no operating point: give `force_n` and `contraction`, \
-                or `points`, each a pull at a contraction, or a load that pulls"
-                    .into(),
-            ));
+                or `points`, each a pull at a contraction, or a load that pulls",
+            );
         }
         let sign = if self.extends() { -1.0 } else { 1.0 };
-        let senseless = |p: &&OperatingPoint| {
-            let force_n = sign * p.force_n;
-            let way = sign * p.contraction;
-            !(force_n > 0.0 && force_n.is_finite() && (0.0..1.0).contains(&way))
-        };
-        match points.iter().find(senseless) {
-            Some(p) => Err(SpecError::Refused(format!(
-                "the operating point {force_n}\u{a0}N at a contraction of {contraction} is \
-                 invalid: the pull must be above 0 N and the contraction from 0 to below 1; for a \
-                 push of a muscle that extends, the force below 0 N and the contraction from above \
-                 -1 to 0",
-                force_n = p.force_n,
-                contraction = p.contraction
-            ))),
-            None => Ok(()),
+        for OperatingPoint {
+            force_n,
+            contraction,
+        } in points
+        {
+            let pull_n = sign * force_n;
+            let is_sound = pull_n > 0.0 && pull_n.is_finite();
+            if !(is_sound && (0.0..1.0).contains(&(sign * contraction))) {
+                return refused(format!(
+                    "the operating point {force_n}\u{a0}N at a contraction of {contraction} is \
+                     invalid: the pull must be above 0 N and the contraction from 0 to below 1; for \
+                     a push of a muscle that extends, the force below 0 N and the contraction from \
+                     above -1 to 0"
+                ));
+            }
         }
-    }
-}
-
-impl From<Vec<OperatingPoint>> for Demand {
-    fn from(points: Vec<OperatingPoint>) -> Self {
-        Self::Points(points)
+        Ok(())
     }
 }

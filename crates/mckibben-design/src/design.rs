@@ -1,8 +1,7 @@
 //! The main job: what to take, what else there is, and where nothing does what would have to give.
 
 use crate::{
-    Candidate, Limits, Models, Objective, Rejected, Relaxation, Spec, SpecError,
-    assess::Assessed,
+    Candidate, Limits, Models, Objective, Product, Rejected, Relaxation, Spec, SpecError,
     bundle::{Bundle, of_candidate},
     enumerate::Place,
     held::{Held, Job, Precision},
@@ -89,26 +88,18 @@ pub fn design_with(
         ..spec.clone()
     };
     let search = Search::new(spec, models, progress)?;
-    let held = search.answer(spec, None, spec.top);
-    let candidates = Vec::from_iter(held.iter().filter_map(|h| search.candidate(h)));
-    let choices = match candidates.first() {
-        Some(first) => search.choices(first),
-        None => search.best_chances(),
-    };
-    progress.check()?;
-    let relaxations = match candidates.is_empty() {
-        true => relaxations(&search),
-        false => vec![],
+    let candidates = search.answer(spec, None, spec.top);
+    let (choices, relaxations) = match candidates.first() {
+        Some(first) => (search.choices(first), vec![]),
+        None => (search.best_chances(), relaxations(&search)),
     };
     let bundle = candidates.first().filter(|c| c.count > 1);
+    let fitting = search.screened.iter().filter(|held| held.fits());
     let outcome = Outcome {
         bundle: bundle.map(|first| of_candidate(spec, models.decides(), first)),
         choices,
         rejected: search.rejected(candidates.is_empty()),
-        looked_at: (
-            search.looked_at,
-            search.screened.iter().filter(|held| held.fits()).count(),
-        ),
+        looked_at: (search.looked_at, fitting.count()),
         relaxations,
         candidates,
     };
@@ -117,158 +108,136 @@ pub fn design_with(
 }
 
 impl Search<'_> {
-    fn best(&self, kind: ChoiceKind, spec: &Spec, cast: Option<bool>) -> Option<Choice> {
-        Some(Choice {
-            kind,
-            candidate: self.candidate(self.answer(spec, cast, 1).first()?)?,
-        })
+    /// The best of another specification of the same list.
+    fn best(
+        &self,
+        kind: ChoiceKind,
+        cast: Option<bool>,
+        change: impl Fn(&mut Spec),
+    ) -> Option<Choice> {
+        let mut spec = self.spec.clone();
+        change(&mut spec);
+        let candidate = self.answer(&spec, cast, 1).pop()?;
+        Some(Choice { kind, candidate })
     }
 
     /// The first beside those of other chances, of the other make and number, and as sold.
     fn choices(&self, first: &Candidate) -> Vec<Choice> {
         let spec = self.spec;
-        let others = CHANCES
-            .into_iter()
-            .filter(|chance| spec.certainty.is_some_and(|c| c != *chance));
-        let of_chance = |chance: f64| {
-            let spec = Spec {
-                certainty: Some(chance),
-                ..spec.clone()
+        let mut others = vec![];
+        for chance in CHANCES {
+            if spec.certainty.is_some_and(|certainty| certainty != chance) {
+                let of_chance = |spec: &mut Spec| spec.certainty = Some(chance);
+                others.extend(self.best(ChoiceKind::Chance, None, of_chance));
+            }
+        }
+        if !spec.tubes.is_empty() {
+            let make = match first.is_cast {
+                true => ChoiceKind::Sold,
+                false => ChoiceKind::Cast,
             };
-            self.best(ChoiceKind::Chance, &spec, None)
-        };
-        let make = if first.is_cast {
-            ChoiceKind::Sold
-        } else {
-            ChoiceKind::Cast
-        };
-        let of_make = (!spec.tubes.is_empty())
-            .then(|| self.best(make, spec, Some(!first.is_cast)))
-            .flatten();
-        let (number, counts) = match first.count > spec.count {
-            true => (ChoiceKind::One, (spec.count, spec.count)),
-            false => (
-                ChoiceKind::Several,
-                (spec.count + 1, spec.most_side_by_side),
-            ),
-        };
-        let of_number = (counts.0 <= counts.1)
-            .then(|| self.best(number, &of_counts(spec, counts), None))
-            .flatten();
-        let is_other = |choice: &Choice| {
+            others.extend(self.best(make, Some(!first.is_cast), |_| ()));
+        }
+        if first.count > spec.count {
+            let alone = |spec: &mut Spec| spec.most_side_by_side = spec.count;
+            others.extend(self.best(ChoiceKind::One, None, alone));
+        } else if spec.count < spec.most_side_by_side {
+            let more = |spec: &mut Spec| spec.count += 1;
+            others.extend(self.best(ChoiceKind::Several, None, more));
+        }
+        others.retain(|choice| {
             let is_smaller = choice.candidate.envelope_mm() < first.envelope_mm();
             choice.candidate.muscle != first.muscle
                 && (choice.kind != ChoiceKind::Several || is_smaller)
-        };
-        let mut choices = vec![Choice {
+        });
+        let take = Choice {
             kind: ChoiceKind::Take,
             candidate: first.clone(),
-        }];
-        choices.extend(
-            others
-                .filter_map(of_chance)
-                .chain(of_make)
-                .chain(of_number)
-                .filter(is_other),
-        );
-        choices.extend(self.products(first.radius_mm));
-        choices
+        };
+        others.insert(0, take);
+        let products = spec.products.iter();
+        others.extend(products.filter_map(|one| self.product(one, first.radius_mm)));
+        others
     }
 
     /// Where nothing reaches the certainty: the best chance of one, and of as many as may be.
     fn best_chances(&self) -> Vec<Choice> {
-        let spec = self.spec;
-        let numbers = [
-            (ChoiceKind::One, spec.count),
-            (ChoiceKind::Several, spec.most_side_by_side),
-        ];
-        let best = |(kind, count): (ChoiceKind, u32)| {
-            let spec = Spec {
-                certainty: Some(spec.certainty?.min(LEAST_CHANCE)),
-                objective: Objective::Chance,
-                ..of_counts(spec, (count, count))
-            };
-            self.best(kind, &spec, None)
+        let Some(certainty) = self.spec.certainty else {
+            return vec![];
         };
-        let several = usize::from(spec.most_side_by_side > spec.count);
-        numbers
-            .into_iter()
-            .take(1 + several)
-            .filter_map(best)
-            .collect()
-    }
-
-    /// The muscles as sold that would do. Burst, strands and rubber are their seller's matter.
-    fn products(&self, radius_mm: f64) -> Vec<Choice> {
-        let one = |product: &crate::Product| {
-            let spec = self.spec;
-            let muscle = cut(spec, &product.muscle)?;
-            let bench_mpa = product.muscle.bench()?.pressure_mpa.1;
-            let own = Spec {
-                max_pressure_mpa: (spec.supply_share * spec.max_pressure_mpa).min(bench_mpa),
-                supply_share: 1.0,
-                base: muscle.clone(),
-                tubes: vec![],
-                products: vec![],
-                ends: None,
-                limits: Limits {
-                    burst_margin: None,
-                    tube_margin: None,
-                    strand_strain: None,
-                    stretch: None,
-                    fitted_stretch: false,
-                    ..spec.limits
-                },
-                ..spec.clone()
-            };
-            let job = Job {
-                place: Place::of(&muscle),
-                radius_mm,
-                count: None,
-            };
-            let mut assessed = Assessed::new(&own, self.models.decides(), &muscle).ok()?;
-            let held = Held::new(&mut assessed, job, Precision::Exact).ok()?;
-            if !held.fits() || held.chance.is_none() {
-                return None;
-            }
-            Some(Choice {
-                kind: ChoiceKind::Product,
-                candidate: Candidate {
-                    product: Some(product.name.clone()),
-                    ..Candidate::new(&mut assessed, &held).ok()?
-                },
+        let (one, most) = (self.spec.count, self.spec.most_side_by_side);
+        let mut numbers = vec![(ChoiceKind::One, one)];
+        numbers.extend((most > one).then_some((ChoiceKind::Several, most)));
+        let best = |(kind, count)| {
+            self.best(kind, None, |spec| {
+                spec.certainty = Some(certainty.min(LEAST_CHANCE));
+                spec.objective = Objective::Chance;
+                (spec.count, spec.most_side_by_side) = (count, count);
             })
         };
-        self.spec.products.iter().filter_map(one).collect()
+        numbers.into_iter().filter_map(best).collect()
     }
-}
 
-/// A specification of other numbers side by side.
-fn of_counts(spec: &Spec, (count, most_side_by_side): (u32, u32)) -> Spec {
-    Spec {
-        count,
-        most_side_by_side,
-        ..spec.clone()
+    /// A muscle as sold that would do. Burst, strands and rubber are its seller's matter.
+    fn product(&self, product: &Product, radius_mm: f64) -> Option<Choice> {
+        let spec = self.spec;
+        let muscle = cut(spec, &product.muscle)?;
+        let bench_mpa = product.muscle.bench()?.pressure_mpa.1;
+        let job = Job {
+            place: Place::of(&muscle),
+            radius_mm,
+            count: None,
+        };
+        let own = Spec {
+            max_pressure_mpa: (spec.supply_share * spec.max_pressure_mpa).min(bench_mpa),
+            supply_share: 1.0,
+            base: muscle,
+            tubes: vec![],
+            rubbers: vec![],
+            ends: None,
+            limits: Limits {
+                burst_margin: None,
+                tube_margin: None,
+                strand_strain: None,
+                stretch: None,
+                fitted_stretch: false,
+                ..spec.limits
+            },
+            ..spec.clone()
+        };
+        let candidate = self.decided(&own, job.place, |assessed| {
+            let held = Held::new(assessed, job, Precision::Exact).ok()?;
+            match held.fits() && held.chance.is_some() {
+                true => Candidate::new(assessed, &held).ok(),
+                false => None,
+            }
+        })?;
+        Some(Choice {
+            kind: ChoiceKind::Product,
+            candidate: Candidate {
+                product: Some(product.name.clone()),
+                ..candidate
+            },
+        })
     }
 }
 
 /// A muscle as sold at the length that is stated, to which it is cut; `None` where its own lies
 /// outside of the lengths that are searched.
 fn cut(spec: &Spec, muscle: &Muscle) -> Option<Muscle> {
+    let own_mm = muscle.length_mm();
     if let Some(lengths) = &spec.length_mm {
         let (low, high) = lengths.bounds();
-        return (low..=high)
-            .contains(&muscle.length_mm())
-            .then(|| muscle.clone());
+        return (low..=high).contains(&own_mm).then(|| muscle.clone());
     }
-    if spec.base.length_mm() == muscle.length_mm() {
+    let length_mm = spec.base.length_mm();
+    if length_mm == own_mm {
         return Some(muscle.clone());
     }
     // The ± of its bench is that of its own length: the other one has the general ±.
-    muscle
-        .with_tube(Tube {
-            length_mm: spec.base.length_mm(),
-            ..muscle.tube().clone()
-        })
-        .ok()
+    let tube = Tube {
+        length_mm,
+        ..muscle.tube().clone()
+    };
+    muscle.with_tube(tube).ok()
 }

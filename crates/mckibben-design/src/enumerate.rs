@@ -1,7 +1,7 @@
 //! The muscles of a specification, one after the other: tubes × sleeves × rubbers × lengths ×
 //! pulleys. An interval is a grid of round values.
 
-use crate::{BraidChoice, Demand, Lift, Spec, TubePart};
+use crate::{BraidChoice, Demand, Spec, TubePart};
 use mckibben_core::{
     muscle::{Braid, Muscle, MuscleError, Parts, Tube},
     units::{Values, tidy},
@@ -19,40 +19,25 @@ const STROKE_STEPS: i32 = 6;
 /// sold.
 const LEAST_BORE: f64 = 0.25;
 
-/// Which braid a muscle has.
+/// A muscle of the list; it is built when it is needed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum BraidRule {
-    /// An angle in degrees.
-    Angle(f64),
-    /// A length of strand per turn in mm.
-    PerTurn(f64),
-    /// A sleeve of the list.
-    Sleeve(usize),
-}
-
-/// The section of a tube.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Section {
+pub struct Place {
     /// The tube as sold or cast, where such are searched.
     tube: Option<usize>,
     rubber: usize,
     outer_diameter_mm: f64,
     wall_mm: f64,
-}
-
-/// A muscle of the list; it is built when it is needed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place {
-    pub section: Section,
-    pub braid: BraidRule,
-    pub length_mm: f64,
+    /// The sleeve of the list; without one the base muscle's braid has this angle.
+    sleeve: Option<usize>,
+    angle_deg: f64,
+    length_mm: f64,
 }
 
 /// All muscles of a specification.
 pub fn places(spec: &Spec, lengths: &[f64]) -> Vec<Place> {
-    let braids = braids(&spec.braid);
     let mut places = vec![];
     for section in sections(spec) {
+        let braided = braids(&spec.braid, section);
         let mut last_mm = 0.0;
         for &length_mm in lengths {
             // In place of lengths that its ends do not allow a tube has the shortest that they do.
@@ -67,24 +52,21 @@ pub fn places(spec: &Spec, lengths: &[f64]) -> Vec<Place> {
                 continue;
             }
             last_mm = length_mm;
-            let place = |&braid: &BraidRule| Place {
-                section,
-                braid,
-                length_mm,
-            };
-            places.extend(braids.iter().map(place));
+            places.extend(braided.iter().map(|&place| Place { length_mm, ..place }));
         }
     }
     places
 }
 
-fn sections(spec: &Spec) -> Vec<Section> {
+/// The tubes of all muscles, each with the base muscle's length and angle.
+fn sections(spec: &Spec) -> Vec<Place> {
+    let base = Place::of(&spec.base);
     if !spec.tubes.is_empty() {
-        let of_tube = |(i, tube): (usize, &TubePart)| Section {
+        let of_tube = |(i, tube): (usize, &TubePart)| Place {
             tube: Some(i),
-            rubber: 0,
             outer_diameter_mm: tube.outer_diameter_mm,
             wall_mm: tube.wall_mm,
+            ..base
         };
         return spec.tubes.iter().enumerate().map(of_tube).collect();
     }
@@ -95,35 +77,42 @@ fn sections(spec: &Spec) -> Vec<Section> {
     let mut sections = vec![];
     for rubber in 0..spec.rubbers.len().max(1) {
         for &wall_mm in &walls {
-            sections.extend(diameters.iter().filter(|d0| has_bore(**d0, wall_mm)).map(
-                |&outer_diameter_mm| Section {
-                    tube: None,
-                    rubber,
-                    outer_diameter_mm,
-                    wall_mm,
-                },
-            ));
+            let wide = diameters.iter().filter(|d0| has_bore(**d0, wall_mm));
+            sections.extend(wide.map(|&outer_diameter_mm| Place {
+                rubber,
+                outer_diameter_mm,
+                wall_mm,
+                ..base
+            }));
         }
     }
     sections
 }
 
-fn braids(braid: &BraidChoice) -> Vec<BraidRule> {
-    match braid {
-        BraidChoice::Angle(angles) => grid(angles, ANGLES)
-            .into_iter()
-            .map(BraidRule::Angle)
-            .collect(),
+/// A tube with each of the braids.
+fn braids(braid: &BraidChoice, tube: Place) -> Vec<Place> {
+    let turn_mm = std::f64::consts::PI * tube.outer_diameter_mm;
+    let angles = match braid {
+        BraidChoice::Angle(angles) => grid(angles, ANGLES),
         BraidChoice::StrandLengthPerTurn(list) => {
-            list.iter().copied().map(BraidRule::PerTurn).collect()
+            let angle_deg = |per_mm: &f64| (turn_mm / per_mm).min(1.0).asin().to_degrees();
+            list.iter().map(angle_deg).collect()
         }
-        BraidChoice::Sleeves(list) => (0..list.len()).map(BraidRule::Sleeve).collect(),
-    }
+        BraidChoice::Sleeves(list) => {
+            let with = |i| Place {
+                sleeve: Some(i),
+                ..tube
+            };
+            return (0..list.len()).map(with).collect();
+        }
+    };
+    let at = |angle_deg| Place { angle_deg, ..tube };
+    angles.into_iter().map(at).collect()
 }
 
 /// The lengths in mm; those of which a stroke is a share in equal ratios.
 pub fn lengths(spec: &Spec) -> Vec<f64> {
-    let stroke = Lift::is_stroke(&spec.wanted);
+    let stroke = matches!(spec.wanted, Demand::Stroke { .. });
     match &spec.length_mm {
         Some(Values::Interval(low, high)) if stroke && low < high => {
             let ratio = (high / low).powf(1.0 / f64::from(STROKE_STEPS));
@@ -138,11 +127,8 @@ pub fn lengths(spec: &Spec) -> Vec<f64> {
 
 /// The radii of the pulley in mm; one that means nothing without a joint.
 pub fn radii(spec: &Spec) -> Vec<f64> {
-    match (&spec.radius_mm, &spec.wanted) {
-        (Some(radii), Demand::Joint(_)) => grid(radii, RADII),
-        (None, Demand::Joint(joint)) => vec![joint.radius_mm],
-        _ => vec![0.0],
-    }
+    let radii = spec.wanted.radii_mm();
+    radii.map_or(vec![0.0], |radii| grid(radii, RADII))
 }
 
 /// The values of an axis: round ones within an interval, both ends in, in about `most` steps.
@@ -168,52 +154,39 @@ impl Place {
     /// That of a muscle which is on no list.
     pub fn of(muscle: &Muscle) -> Self {
         Self {
-            section: Section {
-                tube: None,
-                rubber: 0,
-                outer_diameter_mm: muscle.outer_diameter_mm(),
-                wall_mm: muscle.wall_mm(),
-            },
-            braid: BraidRule::Angle(muscle.braid().angle_deg),
+            tube: None,
+            rubber: 0,
+            outer_diameter_mm: muscle.outer_diameter_mm(),
+            wall_mm: muscle.wall_mm(),
+            sleeve: None,
+            angle_deg: muscle.braid().angle_deg,
             length_mm: muscle.length_mm(),
         }
     }
 
     pub fn tube(self, spec: &Spec) -> Option<&TubePart> {
-        self.section.tube.map(|i| &spec.tubes[i])
+        self.tube.map(|i| &spec.tubes[i])
     }
 
     pub fn muscle(self, spec: &Spec) -> Result<Muscle, MuscleError> {
         let base = &spec.base;
-        let d0 = self.section.outer_diameter_mm;
-        let angled = |angle_deg: f64| Braid {
-            angle_deg,
-            ..base.braid().clone()
-        };
-        let braid = match (self.braid, &spec.braid) {
-            (BraidRule::Angle(angle_deg), _) => angled(angle_deg),
-            (BraidRule::PerTurn(length_mm), _) => angled(
-                (std::f64::consts::PI * d0 / length_mm)
-                    .min(1.0)
-                    .asin()
-                    .to_degrees(),
-            ),
-            (BraidRule::Sleeve(i), BraidChoice::Sleeves(list)) => {
-                list[i].clone().on_diameter(d0)?
+        let braid = match (self.sleeve, &spec.braid) {
+            (Some(i), BraidChoice::Sleeves(list)) => {
+                list[i].clone().on_diameter(self.outer_diameter_mm)?
             }
-            (BraidRule::Sleeve(_), _) => base.braid().clone(),
+            _ => Braid {
+                angle_deg: self.angle_deg,
+                ..base.braid().clone()
+            },
         };
         let part = self.tube(spec);
         let rubber = match part {
             Some(part) => &part.rubber,
-            None => spec
-                .rubbers
-                .get(self.section.rubber)
-                .unwrap_or(&base.tube().rubber),
+            None => spec.rubbers.get(self.rubber).unwrap_or(&base.tube().rubber),
         };
         let tube = Tube {
-            outer_diameter_mm: d0,
-            wall_mm: self.section.wall_mm,
+            outer_diameter_mm: self.outer_diameter_mm,
+            wall_mm: self.wall_mm,
             length_mm: self.length_mm,
             rubber: rubber.clone(),
             density_kg_per_m3: match part {

@@ -51,7 +51,7 @@ pub mod tubes;
 pub use assess::{normal_deviations, normal_share};
 pub use bundle::Bundle;
 pub use candidate::{Candidate, CandidatePoint, Rejected};
-pub use demand::{Demand, JointDemand, Lift, OperatingPoint, TorqueWanted};
+pub use demand::{Demand, JointDemand, OperatingPoint, TorqueWanted};
 pub use design::{Choice, ChoiceKind, Outcome, design, design_with};
 pub use held::Precision;
 pub use limits::{Check, Limit, Limits, SAFETY, Show, why_no_more};

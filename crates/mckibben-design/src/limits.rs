@@ -11,6 +11,7 @@ pub use mckibben_core::analysis::SAFETY;
 use mckibben_core::{
     analysis::{Allowed, BUCKLING, Burst, FailureMode, FailurePressure, Safety},
     model::{ModelError, Response, Result, ThickWall},
+    muscle::Muscle,
     units::{Dimension, rounded},
     warning::VALIDATED_STRAND_STRAIN,
 };
@@ -162,18 +163,16 @@ impl Check {
     /// What the muscle has and what it may have, with pressures, forces and lengths written by
     /// `show`.
     pub fn describe(&self, show: Show<'_>) -> String {
-        let value = self.value;
-        let bound = self.bound;
+        let (value, bound) = (self.value, self.bound);
         if let Some(entry) = self.limit.entry() {
             return (entry.missed)(value, bound, show);
         }
         let below = self
             .by
             .map(|below| format!("; {}", why_no_more(&below, show)));
-        let pull_n = if value * bound > 0.0 {
-            rounded(value, 3, f64::floor).max(value.trunc())
-        } else {
-            0.0
+        let pull_n = match value * bound > 0.0 {
+            true => rounded(value, 3, f64::floor).max(value.trunc()),
+            false => 0.0,
         };
         format!(
             "{} at {} and {} %, {} required{}",
@@ -204,6 +203,8 @@ pub fn why_no_more(allowed: &Allowed, show: Show<'_>) -> String {
 
 /// One of so many muscles at an operating point.
 pub struct AtPoint<'t, 'a> {
+    pub spec: &'a Spec,
+    pub muscle: &'a Muscle,
     pub assessed: &'t mut Assessed<'a>,
     pub count: u32,
     pub radius_mm: f64,
@@ -214,10 +215,6 @@ pub struct AtPoint<'t, 'a> {
 }
 
 impl AtPoint<'_, '_> {
-    fn spec(&self) -> &Spec {
-        self.assessed.spec
-    }
-
     /// The larger of the bulged tube and its ends, in mm.
     pub fn width_mm(&self) -> f64 {
         self.response
@@ -244,16 +241,21 @@ pub struct LimitEntry {
     pub allow: fn(f64) -> Relaxation,
 }
 
+/// A length, rounded to tenths of a millimetre, and its bound.
+fn lengths(value_mm: f64, round: fn(f64) -> f64, bound_mm: f64, show: Show<'_>) -> [String; 2] {
+    [round(10.0 * value_mm) / 10.0, bound_mm].map(|mm| show(Dimension::Length, mm))
+}
+
 /// The limits at the operating points.
 pub static LIMITS: [LimitEntry; 8] = [
     LimitEntry {
         limit: Limit::Buckling,
         name: "the load at which it buckles",
         numbers: |at| {
-            if !(at.spec().limits.buckling && at.spec().wanted.extends()) {
+            if !(at.spec.limits.buckling && at.spec.wanted.extends()) {
                 return Ok(None);
             }
-            let buckles_n = ThickWall::between_ends(at.assessed.muscle)
+            let buckles_n = ThickWall::between_ends(at.muscle)
                 .buckling_n(at.pressure_mpa, at.point.contraction)?;
             Ok(Some((at.point.force_n.abs(), buckles_n / BUCKLING)))
         },
@@ -268,8 +270,7 @@ pub static LIMITS: [LimitEntry; 8] = [
         limit: Limit::LiquidVolume,
         name: "the largest liquid volume",
         numbers: |at| {
-            let (Some(bound), Some(_)) = (at.spec().limits.liquid_volume_mm3, &at.spec().liquid)
-            else {
+            let (Some(bound), Some(_)) = (at.spec.limits.liquid_volume_mm3, &at.spec.liquid) else {
                 return Ok(None);
             };
             let stroke = at.assessed.stroke(at.pressure_mpa, at.point.contraction);
@@ -288,14 +289,11 @@ pub static LIMITS: [LimitEntry; 8] = [
         limit: Limit::BulgedDiameter,
         name: "the largest bulged diameter",
         numbers: |at| {
-            Ok(at
-                .response
-                .bulged_diameter_mm
-                .zip(at.spec().limits.bulged_diameter_mm))
+            let bulged_mm = at.response.bulged_diameter_mm;
+            Ok(bulged_mm.zip(at.spec.limits.bulged_diameter_mm))
         },
         missed: |value_mm, bound_mm, show| {
-            let value_mm = (10.0 * value_mm).round() / 10.0;
-            let [bulged, limit] = [value_mm, bound_mm].map(|mm| show(Dimension::Length, mm));
+            let [bulged, limit] = lengths(value_mm, f64::round, bound_mm, show);
             format!("bulged diameter {bulged}, at most {limit} allowed")
         },
         allow: |bulged_diameter_mm| Relaxation::MaxBulgedDiameter { bulged_diameter_mm },
@@ -305,15 +303,10 @@ pub static LIMITS: [LimitEntry; 8] = [
         name: "the largest envelope",
         numbers: |at| {
             let envelope_mm = envelope_ratio(at.count) * at.width_mm();
-            Ok(at
-                .spec()
-                .limits
-                .envelope_mm
-                .map(|bound| (envelope_mm, bound)))
+            Ok(Some(envelope_mm).zip(at.spec.limits.envelope_mm))
         },
         missed: |value_mm, bound_mm, show| {
-            let value_mm = (10.0 * value_mm).ceil() / 10.0;
-            let [circle, limit] = [value_mm, bound_mm].map(|mm| show(Dimension::Length, mm));
+            let [circle, limit] = lengths(value_mm, f64::ceil, bound_mm, show);
             format!("a circle of {circle} with the ends, at most {limit} allowed")
         },
         allow: |envelope_mm| Relaxation::MaxEnvelope { envelope_mm },
@@ -323,13 +316,12 @@ pub static LIMITS: [LimitEntry; 8] = [
         name: "the room beside each other on the pulley",
         // One is as wide as at the point, the other one as at rest.
         numbers: |at| {
-            let rest_mm = at.assessed.muscle.outer_diameter_mm().max(at.ends.width_mm);
-            Ok(room_on_pulley_mm(&at.spec().wanted, at.radius_mm, rest_mm)
-                .map(|room_mm| (at.width_mm(), room_mm)))
+            let rest_mm = at.muscle.outer_diameter_mm().max(at.ends.width_mm);
+            let room_mm = room_on_pulley_mm(&at.spec.wanted, at.radius_mm, rest_mm);
+            Ok(Some(at.width_mm()).zip(room_mm))
         },
         missed: |value_mm, bound_mm, show| {
-            let value_mm = (10.0 * value_mm).round() / 10.0;
-            let [width, limit] = [value_mm, bound_mm].map(|mm| show(Dimension::Length, mm));
+            let [width, limit] = lengths(value_mm, f64::round, bound_mm, show);
             format!("a width of {width}, and the pulley has room for {limit}")
         },
         allow: |bulged_diameter_mm| Relaxation::MaxBulgedDiameter { bulged_diameter_mm },
@@ -338,9 +330,8 @@ pub static LIMITS: [LimitEntry; 8] = [
         limit: Limit::Pitch,
         name: "the pitch",
         numbers: |at| {
-            let rest_mm = at.assessed.muscle.outer_diameter_mm().max(at.ends.width_mm);
-            let pitch_mm = at.spec().pitch_mm.filter(|_| at.count > 1);
-            Ok(pitch_mm.map(|pitch_mm| (rest_mm, pitch_mm)))
+            let rest_mm = at.muscle.outer_diameter_mm().max(at.ends.width_mm);
+            Ok(Some(rest_mm).zip(at.spec.pitch_mm.filter(|_| at.count > 1)))
         },
         missed: |value_mm, bound_mm, show| {
             let [width, pitch] = [value_mm, bound_mm].map(|mm| show(Dimension::Length, mm));
@@ -352,12 +343,10 @@ pub static LIMITS: [LimitEntry; 8] = [
         limit: Limit::MaxStretch,
         name: "the largest stretch of the rubber",
         numbers: |at| {
-            let fitted = at.assessed.muscle.tube().rubber.fitted_to_stretch;
-            let limits = at.spec().limits;
-            Ok(at
-                .response
-                .rubber_stretch()
-                .zip(limits.stretch.or(fitted.filter(|_| limits.fitted_stretch))))
+            let fitted = at.muscle.tube().rubber.fitted_to_stretch;
+            let limits = &at.spec.limits;
+            let bound = limits.stretch.or(fitted.filter(|_| limits.fitted_stretch));
+            Ok(at.response.rubber_stretch().zip(bound))
         },
         missed: |value, bound, _| {
             format!("rubber stretched to {value:.2}, at most {bound} allowed")
@@ -367,7 +356,7 @@ pub static LIMITS: [LimitEntry; 8] = [
     LimitEntry {
         limit: Limit::Mass,
         name: "the largest mass",
-        numbers: |at| Ok(all_g(at.assessed.muscle, at.ends, at.count).zip(at.spec().limits.mass_g)),
+        numbers: |at| Ok(all_g(at.muscle, at.ends, at.count).zip(at.spec.limits.mass_g)),
         missed: |value_g, bound_g, _| {
             format!(
                 "{} g with its ends, at most {bound_g} g allowed",
@@ -379,6 +368,6 @@ pub static LIMITS: [LimitEntry; 8] = [
 ];
 
 /// Mass of so many muscles with their ends in g, where that of tube and sleeve is known.
-pub fn all_g(muscle: &mckibben_core::muscle::Muscle, ends: Ends, count: u32) -> Option<f64> {
+pub fn all_g(muscle: &Muscle, ends: Ends, count: u32) -> Option<f64> {
     Some(f64::from(count) * (muscle.mass_g()? + ends.mass_g))
 }

@@ -1,11 +1,15 @@
 //! Where nothing fits: the list again with one requirement freed, the smallest change of each kind.
 
 use crate::{
-    Demand, Lift, Limit, Spec, assess::Assessed, held::Held, limits::Show, search::Search,
+    Demand, JointDemand, Limit, OperatingPoint, Spec,
+    assess::Assessed,
+    held::Held,
+    limits::{LIMITS, Show},
+    search::Search,
 };
 use mckibben_core::{
     analysis::{
-        FailureMode::{self, Bladder, Ends, Mesh, Strands},
+        FailureMode::{Bladder, Ends, Mesh, StrandStrain, Strands},
         LEAST_SAFETY, PROVED, RELIEF, find_root,
     },
     by_number::{ByNumber, SortByNumber},
@@ -13,6 +17,7 @@ use mckibben_core::{
     units::{Dimension, rounded, tidy},
 };
 use serde::Serialize;
+use std::collections::HashSet;
 
 /// A change of the specification with which a muscle fits.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
@@ -75,101 +80,105 @@ pub enum Relaxation {
 impl Relaxation {
     /// Changes a specification.
     pub fn apply(&self, spec: &mut Spec) {
-        let limits = &mut spec.limits;
-        match self {
-            Self::MaxPressure { pressure_mpa } => {
-                (spec.max_pressure_mpa, spec.extrapolate) = (*pressure_mpa, true);
-            }
-            Self::Force { share } => spec.wanted = spec.wanted.times(*share),
-            Self::Contraction { share } => spec.wanted = spec.wanted.shorter(*share),
-            Self::Certainty { certainty } => spec.certainty = Some(*certainty),
-            Self::MaxBulgedDiameter { bulged_diameter_mm } => {
-                limits.bulged_diameter_mm = Some(*bulged_diameter_mm);
-            }
-            Self::MaxEnvelope { envelope_mm } => limits.envelope_mm = Some(*envelope_mm),
-            Self::Pitch { pitch_mm } => spec.pitch_mm = Some(*pitch_mm),
-            Self::MaxMass { mass_g } => limits.mass_g = Some(*mass_g),
-            Self::MaxStretch { max_stretch } => limits.stretch = Some(*max_stretch),
-            Self::MaxStrandStrain { strand_strain } => limits.strand_strain = Some(*strand_strain),
-            Self::MinBurstMargin { burst_margin } => limits.burst_margin = Some(*burst_margin),
-            Self::Guided {} => limits.buckling = false,
-            Self::MaxLiquidVolume { liquid_volume_mm3 } => {
-                limits.liquid_volume_mm3 = Some(*liquid_volume_mm3)
-            }
-            Self::Together { changes } => changes.iter().for_each(|change| change.apply(spec)),
-        }
+        self.change(spec, &|_, _| String::new());
     }
 
     /// The sentence, with pressures, forces and lengths written by `show`. `spec` is the one that
     /// it changes.
     pub fn describe(&self, spec: &Spec, show: Show<'_>) -> String {
+        self.change(&mut spec.clone(), show)
+    }
+
+    /// Changes a specification, and says what was changed.
+    fn change(&self, spec: &mut Spec, show: Show<'_>) -> String {
         let mm = |mm: f64| show(Dimension::Length, mm);
-        match self {
+        let limits = &mut spec.limits;
+        match *self {
             Self::MaxPressure { pressure_mpa } => {
-                format!(
-                    "raise the supply to {}",
-                    show(Dimension::Pressure, *pressure_mpa)
-                )
+                (spec.max_pressure_mpa, spec.extrapolate) = (pressure_mpa, true);
+                let pressure = show(Dimension::Pressure, pressure_mpa);
+                format!("raise the supply to {pressure}")
             }
-            Self::Force { share } => match &spec.wanted {
-                Demand::Points(_) => {
-                    format!(
-                        "reduce the pull to {}",
-                        listed(&spec.wanted.times(*share), show)
-                    )
+            Self::Force { share } => {
+                spec.wanted = spec.wanted.scaled(share, 1.0);
+                match &spec.wanted {
+                    Demand::Points { points } => {
+                        format!("reduce the pull to {}", listed(points, show))
+                    }
+                    Demand::Joint(joint) => format!("reduce the torque to {}", torques(joint)),
+                    _ => format!("reduce the load to {} of it", percent(share)),
                 }
-                Demand::Load { .. } => format!("reduce the load to {} of it", percent(*share)),
-                Demand::Joint(joint) => {
-                    let torques = joint.torques.iter().map(|t| {
-                        let torque = tidy(share * t.torque_nm, 5);
-                        format!("{torque} N m at ±{}°", tidy(t.angle_deg, 4))
-                    });
-                    format!("reduce the torque to {}", joined(torques, " and "))
+            }
+            Self::Contraction { share } => {
+                spec.wanted = spec.wanted.scaled(1.0, share);
+                match spec.wanted {
+                    Demand::Stroke { stroke_mm, .. } => {
+                        format!("reduce the stroke to {}", mm(stroke_mm))
+                    }
+                    _ => {
+                        let points = listed(&spec.wanted.points(1.0, 1.0), show);
+                        format!("reduce the contraction: {points}")
+                    }
                 }
-            },
-            Self::Contraction { share } => match spec.wanted {
-                Demand::Load {
-                    way: Lift::Stroke(stroke_mm),
-                    ..
-                } => format!("reduce the stroke to {}", mm(share * stroke_mm)),
-                _ => format!(
-                    "reduce the contraction: {}",
-                    listed(&spec.wanted.shorter(*share), show)
-                ),
-            },
+            }
             Self::Certainty { certainty } => {
-                format!("accept a chance of {} (`certainty`)", percent(*certainty))
+                spec.certainty = Some(certainty);
+                format!("accept a chance of {} (`certainty`)", percent(certainty))
             }
             Self::MaxBulgedDiameter { bulged_diameter_mm } => {
-                format!("allow a bulged diameter of {}", mm(*bulged_diameter_mm))
+                limits.bulged_diameter_mm = Some(bulged_diameter_mm);
+                format!("allow a bulged diameter of {}", mm(bulged_diameter_mm))
             }
-            Self::MaxEnvelope { envelope_mm } => format!("allow a circle of {}", mm(*envelope_mm)),
+            Self::MaxEnvelope { envelope_mm } => {
+                limits.envelope_mm = Some(envelope_mm);
+                format!("allow a circle of {}", mm(envelope_mm))
+            }
             Self::Pitch { pitch_mm } => {
-                format!("set the axes of neighbours {} apart", mm(*pitch_mm))
+                spec.pitch_mm = Some(pitch_mm);
+                format!("set the axes of neighbours {} apart", mm(pitch_mm))
             }
-            Self::MaxMass { mass_g } => format!("allow a mass of {mass_g} g"),
-            Self::MaxStretch { max_stretch } => format!("allow a stretch of {max_stretch}"),
+            Self::MaxMass { mass_g } => {
+                limits.mass_g = Some(mass_g);
+                format!("allow a mass of {mass_g} g")
+            }
+            Self::MaxStretch { max_stretch } => {
+                limits.stretch = Some(max_stretch);
+                format!("allow a stretch of {max_stretch}")
+            }
             Self::MaxStrandStrain { strand_strain } => {
-                format!("allow a strand strain of {}", percent(*strand_strain))
+                limits.strand_strain = Some(strand_strain);
+                format!("allow a strand strain of {}", percent(strand_strain))
             }
             Self::MinBurstMargin { burst_margin } => {
+                limits.burst_margin = Some(burst_margin);
                 format!("reduce the safety factor to {burst_margin}")
             }
-            Self::Guided {} => "guide the muscle, so that it cannot buckle (`guided`)".into(),
+            Self::Guided {} => {
+                limits.buckling = false;
+                "guide the muscle, so that it cannot buckle (`guided`)".into()
+            }
             Self::MaxLiquidVolume { liquid_volume_mm3 } => {
+                limits.liquid_volume_mm3 = Some(liquid_volume_mm3);
                 format!("provide {} mL of liquid", tidy(1e-3 * liquid_volume_mm3, 3))
             }
-            Self::Together { changes } => joined(
-                changes.iter().map(|change| change.describe(spec, show)),
-                ", and together with that ",
-            ),
+            Self::Together { ref changes } => {
+                let said = changes.iter().map(|change| change.change(spec, show));
+                joined(said, ", and together with that ")
+            }
         }
     }
 }
 
+fn torques(joint: &JointDemand) -> String {
+    let torques = joint.torques.iter().map(|t| {
+        let (torque, angle) = (tidy(t.torque_nm, 5), tidy(t.angle_deg, 4));
+        format!("{torque} N m at ±{angle}°")
+    });
+    joined(torques, " and ")
+}
+
 /// Operating points with the pull of all muscles together.
-fn listed(wanted: &Demand, show: Show<'_>) -> String {
-    let points = wanted.points(1.0);
+fn listed(points: &[OperatingPoint], show: Show<'_>) -> String {
     let points = points.iter().map(|q| {
         let force = show(Dimension::Force, q.force_n);
         format!("{force} at {}", percent(q.contraction))
@@ -201,126 +210,89 @@ fn three_digits(value: f64, up: bool) -> f64 {
 }
 
 /// A requirement that is freed.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy)]
 enum Freed {
-    Pull,
     Way,
     Pressure,
     Certainty,
+    /// A limit, or the pull.
     Limit(Limit),
 }
 
 /// The smallest change of each kind with which a muscle of the list fits, each held against the
 /// changed specification; those that ask for least first.
 pub fn relaxations(search: &Search<'_>) -> Vec<Relaxation> {
-    let limits = crate::limits::LIMITS
-        .iter()
-        .map(|entry| Freed::Limit(entry.limit));
-    let kinds: Vec<Freed> = [Freed::Pull, Freed::Way, Freed::Pressure, Freed::Certainty]
-        .into_iter()
-        .chain(limits)
-        .collect();
-    let mut changes: Vec<Change> = kinds
-        .into_iter()
-        .filter_map(|freed| least(search, freed))
-        .collect();
+    let pull = [Freed::Limit(Limit::Force), Freed::Way];
+    let chance = [Freed::Pressure, Freed::Certainty];
+    let limits = LIMITS.iter().map(|entry| Freed::Limit(entry.limit));
+    let least_of = |freed: Freed| {
+        let is_freed = |limit: Limit| match freed {
+            Freed::Limit(freed) => limit == freed,
+            Freed::Way => true,
+            _ => limit == Limit::Force,
+        };
+        least(search, is_freed, |held| change(search, held, freed))
+    };
+    let kinds = pull.into_iter().chain(chance).chain(limits);
+    let mut changes = Vec::from_iter(kinds.filter_map(least_of));
     if changes.is_empty() {
-        changes.extend(together(search));
+        changes.extend(least(search, |_| true, |held| together(search, held)));
     }
     changes.sort_by_number(|change| change.0);
     changes.into_iter().map(|change| change.1).collect()
 }
 
-/// The closest muscles of the list of which nothing else misses than what is freed.
-fn nearest<'a>(search: &'a Search<'_>, freed: Freed) -> Vec<&'a Held> {
-    let is_freed = |limit: Limit| match freed {
-        Freed::Limit(freed) => limit == freed,
-        Freed::Way => true,
-        _ => limit == Limit::Force,
-    };
-    let missed = |held: &&Held| {
-        held.checks
-            .iter()
-            .filter(|c| c.excess() > 0.0)
-            .all(|c| is_freed(c.limit))
-    };
-    let mut near = Vec::from_iter(search.screened.iter().filter(missed));
-    near.sort_by_number(|held| held.miss());
-    near.truncate(NEAREST);
-    near
-}
-
-/// The smallest change that frees a requirement.
-fn least(search: &Search<'_>, freed: Freed) -> Option<Change> {
-    threads::map(&nearest(search, freed), |held| {
-        let exact = search.exact(search.spec, held.job())?;
-        proven(search, &exact, change(search, &exact, freed)?)
-    })
-    .into_iter()
-    .flatten()
-    .min_by_number(|change| change.0)
-}
-
-/// All limits that are missed, moved together, of the closest muscles.
-fn together(search: &Search<'_>) -> Option<Change> {
-    let mut near = Vec::from_iter(search.screened.iter());
-    near.sort_by_number(|held| held.miss());
-    near.truncate(NEAREST);
-    let changes = threads::map(&near, |held| {
-        let exact = search.exact(search.spec, held.job())?;
-        let mut kinds = vec![];
-        for check in exact.checks.iter().filter(|c| c.excess() > 0.0) {
-            let freed = match check.limit {
-                Limit::Force => Freed::Pull,
-                limit => Freed::Limit(limit),
-            };
-            if !kinds.contains(&freed) {
-                kinds.push(freed);
-            }
-        }
-        let all: Option<Vec<Change>> = kinds
-            .into_iter()
-            .map(|freed| change(search, &exact, freed))
-            .collect();
-        let (asks, changes): (Vec<f64>, Vec<Relaxation>) = all?.into_iter().unzip();
-        proven(
-            search,
-            &exact,
-            (asks.into_iter().sum(), Relaxation::Together { changes }),
-        )
+/// The smallest change with which one of the closest muscles fits that miss nothing else than what
+/// is freed.
+fn least(
+    search: &Search<'_>,
+    is_freed: impl Fn(Limit) -> bool,
+    change: impl Fn(&Held) -> Option<Change> + Sync,
+) -> Option<Change> {
+    let near = search.nearest(NEAREST, |held| held.missed().all(|c| is_freed(c.limit)));
+    let proven = threads::map(&near, |held| {
+        let change = change(&search.exact(search.spec, held.job)?)?;
+        let mut changed = search.spec.clone();
+        change.1.apply(&mut changed);
+        search.exact(&changed, held.job)?.fits().then_some(change)
     });
-    changes
+    proven
         .into_iter()
         .flatten()
         .min_by_number(|change| change.0)
 }
 
-/// A change with which the muscle fits.
-fn proven(search: &Search<'_>, held: &Held, change: Change) -> Option<Change> {
-    let mut changed = search.spec.clone();
-    change.1.apply(&mut changed);
-    search.exact(&changed, held.job())?.fits().then_some(change)
+/// All limits that are missed, moved together.
+fn together(search: &Search<'_>, held: &Held) -> Option<Change> {
+    let mut missed = Vec::from_iter(held.missed().map(|check| check.limit));
+    let mut known = HashSet::new();
+    missed.retain(|limit| known.insert(*limit));
+    let (mut ask, mut changes) = (0.0, vec![]);
+    for limit in missed {
+        let one = change(search, held, Freed::Limit(limit))?;
+        ask += one.0;
+        changes.push(one.1);
+    }
+    Some((ask, Relaxation::Together { changes }))
 }
 
 /// The change of a kind that a muscle asks for.
 fn change(search: &Search<'_>, held: &Held, freed: Freed) -> Option<Change> {
     let spec = search.spec;
-    let of = |limit: Limit| {
-        held.checks
-            .iter()
-            .filter(move |c| c.limit == limit)
-            .max_by_number(|c| c.excess())
+    let worst = |limit: Limit| {
+        let of = held.checks.iter().filter(|c| c.limit == limit);
+        of.max_by_number(|c| c.excess())
     };
-    let wanted = spec.wanted.on_radius(held.radius_mm);
     match freed {
-        Freed::Pull => {
-            let pull = of(Limit::Force)?;
+        Freed::Limit(Limit::Force) => {
+            let pull = worst(Limit::Force)?;
             let share = Some(pull.value / pull.bound).filter(|share| *share > 0.0)?;
-            let share = three_digits(share * wanted.size(), false) / wanted.size();
+            let size = spec.wanted.size();
+            let share = three_digits(share * size, false) / size;
             Some((-share.ln(), Relaxation::Force { share }))
         }
         Freed::Way => {
-            let share = shorter(search, held, wanted.way()?)?;
+            let share = shorter(search, held, spec.wanted.way()?)?;
             Some((-share.ln(), Relaxation::Contraction { share }))
         }
         Freed::Certainty => {
@@ -328,14 +300,15 @@ fn change(search: &Search<'_>, held: &Held, freed: Freed) -> Option<Change> {
             let is_less = certainty >= 0.5 && certainty < spec.certainty?;
             is_less.then_some((0.0, Relaxation::Certainty { certainty }))
         }
-        Freed::Pressure => higher(search, held),
+        Freed::Pressure => {
+            let mut spec = spec.clone();
+            spec.extrapolate = true;
+            search.decided(&spec, held.job.place, |assessed| higher(assessed, held))
+        }
         Freed::Limit(limit) => {
-            let worst = of(limit).filter(|c| c.excess() > 0.0)?;
-            let allow = limit.entry()?.allow;
-            Some((
-                worst.excess().ln_1p(),
-                allow(three_digits(worst.value, true)),
-            ))
+            let worst = worst(limit).filter(|c| c.excess() > 0.0)?;
+            let change = (limit.entry()?.allow)(three_digits(worst.value, true));
+            Some((worst.excess().ln_1p(), change))
         }
     }
 }
@@ -343,67 +316,51 @@ fn change(search: &Search<'_>, held: &Held, freed: Freed) -> Option<Change> {
 /// The share of the way on which a muscle meets every limit.
 fn shorter(search: &Search<'_>, held: &Held, way: f64) -> Option<f64> {
     let missed = |share: f64| {
-        let spec = Spec {
-            wanted: search.spec.wanted.shorter(share),
-            ..search.spec.clone()
-        };
-        let held = search.exact(&spec, held.job()).ok_or(())?;
-        Ok::<f64, ()>(held.worst().map_or(0.0, |check| check.excess()))
+        let mut spec = search.spec.clone();
+        Relaxation::Contraction { share }.apply(&mut spec);
+        let held = search.exact(&spec, held.job).ok_or(())?;
+        let excesses = held.checks.iter().map(|check| check.excess());
+        Ok::<f64, ()>(excesses.max_by_number(|excess| *excess).unwrap_or_default())
     };
     let share = find_root(missed, 0.0, 1.0, 1e-4).ok()??;
     Some(three_digits((share - 1e-4) * way, false) / way).filter(|share| *share > 0.0)
 }
 
-/// What allows the pressure that a muscle needs.
-fn higher(search: &Search<'_>, held: &Held) -> Option<Change> {
-    let spec = Spec {
-        extrapolate: true,
-        ..search.spec.clone()
-    };
-    let muscle = held.place.muscle(&spec).ok()?;
-    let mut assessed = Assessed::new(&spec, search.models.decides(), &muscle).ok()?;
-    let points = spec
-        .wanted
-        .on_radius(held.radius_mm)
-        .times(1.0 / f64::from(held.count))
-        .points(muscle.length_mm())
-        .into_owned();
+/// What allows the pressure that a muscle needs, assessed outside of its model's range as well.
+fn higher(assessed: &mut Assessed<'_>, held: &Held) -> Option<Change> {
+    let spec = assessed.spec;
+    let points = held.points();
     assessed.keep_strands(&points).ok()?;
-    let mut needed_mpa = 0.0_f64;
-    for q in &points {
-        needed_mpa = needed_mpa.max(assessed.need_beyond(q, spec.deviations())?);
+    let z = spec.deviations();
+    let mut needs = points.iter().map(|q| assessed.need_beyond(q, z));
+    let needed_mpa = needs.try_fold(0.0, |most: f64, mpa| Some(most.max(mpa?)))?;
+    let Some(below) = assessed.below else {
+        let pressure_mpa = three_digits(needed_mpa / spec.supply_share, true);
+        let ask = (pressure_mpa / spec.max_pressure_mpa).ln();
+        return Some((ask, Relaxation::MaxPressure { pressure_mpa }));
+    };
+    if needed_mpa > spec.supply_share * spec.max_pressure_mpa {
+        return None;
     }
-    let is_within = needed_mpa <= spec.supply_share * spec.max_pressure_mpa;
-    match assessed.below.map(|below| below.by) {
-        None => {
-            let pressure_mpa = three_digits(needed_mpa / spec.supply_share, true);
-            Some((
-                (pressure_mpa / spec.max_pressure_mpa).ln(),
-                Relaxation::MaxPressure { pressure_mpa },
-            ))
-        }
-        Some(Strands | Mesh | Bladder | Ends) if is_within => {
-            let burst_margin = margin_at(&assessed, RELIEF * needed_mpa)?;
+    match below.by {
+        Strands | Mesh | Bladder | Ends => {
+            let burst_margin = margin_at(assessed, RELIEF * needed_mpa)?;
             let burst_margin = three_digits(burst_margin, false);
             let ask = (spec.limits.burst_margin? / burst_margin).ln();
             (burst_margin >= LEAST_SAFETY)
                 .then_some((ask, Relaxation::MinBurstMargin { burst_margin }))
         }
-        Some(FailureMode::StrandStrain) if is_within => {
-            let mut strain = 0.0_f64;
-            for contraction in std::iter::once(0.0).chain(points.iter().map(|q| q.contraction)) {
-                strain = strain.max(
-                    assessed
-                        .strand_strain(needed_mpa, contraction)
-                        .ok()?
-                        .unwrap_or_default(),
-                );
-            }
-            let strand_strain = three_digits(strain, true);
-            Some((
-                (strand_strain / spec.limits.strand_strain?).ln(),
-                Relaxation::MaxStrandStrain { strand_strain },
-            ))
+        StrandStrain => {
+            let contractions = points.iter().map(|q| q.contraction);
+            let mut strains = std::iter::once(0.0)
+                .chain(contractions)
+                .map(|contraction| assessed.strand_strain(needed_mpa, contraction));
+            let strain = strains.try_fold(0.0, |most: f64, strain| {
+                Some(most.max(strain.ok()?.unwrap_or_default()))
+            });
+            let strand_strain = three_digits(strain?, true);
+            let ask = (strand_strain / spec.limits.strand_strain?).ln();
+            Some((ask, Relaxation::MaxStrandStrain { strand_strain }))
         }
         _ => None,
     }
@@ -412,14 +369,10 @@ fn higher(search: &Search<'_>, held: &Held) -> Option<Change> {
 /// The safety factor with which a pressure is allowed, as far as the failures are known.
 fn margin_at(assessed: &Assessed<'_>, most_mpa: f64) -> Option<f64> {
     let margins = assessed.burst.modes().into_iter().filter_map(|(by, at)| {
-        let least = Some(at.least_mpa()?).filter(|p| *p < PROVED * most_mpa);
-        Some(
-            at.mpa()
-                .unwrap_or(f64::INFINITY)
-                .min(least.unwrap_or(f64::INFINITY))
-                / by.share()
-                / most_mpa,
-        )
+        let least = at.least_mpa()?;
+        let tested = Some(least).filter(|p| *p < PROVED * most_mpa);
+        let mpa = [at.mpa(), tested].into_iter().flatten();
+        Some(mpa.fold(f64::INFINITY, f64::min) / by.share() / most_mpa)
     });
     margins.reduce(f64::min)
 }

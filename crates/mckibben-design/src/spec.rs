@@ -2,9 +2,9 @@
 
 use crate::{
     Demand, Limits, OperatingPoint, TubePart,
+    assess::normal_deviations,
     bundle::MOST,
     held::Precision,
-    search::deviations,
     tubes::{self, CAST_RUBBER},
 };
 use mckibben_core::{
@@ -64,8 +64,6 @@ pub struct Spec {
     pub count: u32,
     /// At most so many side by side; `count` where the number is stated.
     pub most_side_by_side: u32,
-    /// Radii in mm of the pulley of a joint; that of the demand where there are none.
-    pub radius_mm: Option<Values>,
     /// The ends of a muscle; without them only tubes and sleeves have width and mass.
     pub ends: Option<EndsOf>,
     /// Muscles as sold that are held against it as well.
@@ -174,10 +172,9 @@ impl Spec {
     pub fn new(points: Vec<OperatingPoint>, max_pressure_mpa: f64) -> Self {
         let base = Muscle::prototype();
         Self {
-            wanted: points.into(),
+            wanted: Demand::Points { points },
             count: 1,
             most_side_by_side: 1,
-            radius_mm: None,
             ends: None,
             products: vec![],
             pitch_mm: None,
@@ -262,7 +259,7 @@ impl Spec {
 
     /// z of the chance that is required.
     pub fn deviations(&self) -> Option<f64> {
-        deviations(self.certainty)
+        self.certainty.map(normal_deviations)
     }
 
     /// How its models are evaluated: with the friction that is stated or estimated, on the branch
@@ -291,47 +288,47 @@ impl Spec {
     /// # Errors
     /// [`SpecError`] with the field, its value, and what it must be.
     pub fn check(&self) -> Result<(), SpecError> {
-        let lengths = match &self.length_mm {
+        let mut lengths = match &self.length_mm {
             Some(Values::List(list)) => list.clone(),
             // The longest has most to give.
             Some(Values::Interval(_, high)) => vec![*high],
             None => vec![self.base.length_mm()],
         };
-        for length_mm in lengths.iter().chain(self.longer_mm.last()) {
+        lengths.extend(self.longer_mm.last());
+        for length_mm in &lengths {
             self.wanted.check(*length_mm)?;
         }
         self.check_numbers()?;
         if let (Some(volume_mm3), None) = (self.limits.liquid_volume_mm3, &self.liquid) {
             return Err(SpecError::NoLiquid(volume_mm3));
         }
-        let count = |v: &Values| match v {
-            Values::List(list) => list.len() as f64,
-            Values::Interval(..) => 1.0,
+        let count = |values: &Values| match values {
+            Values::List(list) => list.len(),
+            Values::Interval(..) => 1,
         };
         let braids = match &self.braid {
-            BraidChoice::Angle(v) => count(v),
-            BraidChoice::StrandLengthPerTurn(list) => list.len() as f64,
-            BraidChoice::Sleeves(list) => list.len() as f64,
+            BraidChoice::Angle(angles) => count(angles),
+            BraidChoice::StrandLengthPerTurn(list) => list.len(),
+            BraidChoice::Sleeves(list) => list.len(),
         };
-        if braids == 0.0 {
-            return Err(SpecError::Refused(
-                "the list of braids is empty: give one angle or sleeve at least".into(),
-            ));
+        if braids == 0 {
+            return refused("the list of braids is empty: give one angle or sleeve at least");
         }
-        let sections = count(&self.outer_diameter_mm) * count(&self.wall_mm);
-        let all = sections
-            * self.length_mm.as_ref().map_or(1.0, count)
-            * braids
-            * self.rubbers.len().max(1) as f64;
+        let axes = [
+            count(&self.outer_diameter_mm),
+            count(&self.wall_mm),
+            self.length_mm.as_ref().map_or(1, count),
+            braids,
+            self.rubbers.len().max(1),
+        ];
+        let all: f64 = axes.map(|n| n as f64).iter().product();
         if all > 1e6 {
-            return Err(SpecError::Refused(format!(
+            return refused(format!(
                 "{all:.3e} combinations are too many; at most 1 million: take larger steps or \
                  fewer values"
-            )));
+            ));
         }
-        self.check_contraction(peak(
-            lengths.into_iter().chain(self.longer_mm.last().copied()),
-        ))
+        self.check_contraction(peak(lengths))
     }
 
     fn check_numbers(&self) -> Result<(), SpecError> {
@@ -343,7 +340,7 @@ impl Spec {
             ("the length", self.length_mm.as_ref().map(Values::bounds)),
             (
                 "the radius of the pulley",
-                self.radius_mm.as_ref().map(Values::bounds),
+                self.wanted.radii_mm().map(Values::bounds),
             ),
             ("the pitch", self.pitch_mm.and_then(one)),
             ("`top`", one(self.top as f64)),
@@ -359,16 +356,14 @@ impl Spec {
                 } else {
                     format!("{low} to {high}")
                 };
-                return Err(SpecError::Refused(format!(
+                return refused(format!(
                     "{name} is {value}; it must be above zero, the smaller end first"
-                )));
+                ));
             }
         }
         let count = self.count.max(self.most_side_by_side);
         if count > MOST {
-            return Err(SpecError::Refused(format!(
-                "`count` is {count}; it must be at most {MOST}"
-            )));
+            return refused(format!("`count` is {count}; it must be at most {MOST}"));
         }
         let limits = &self.limits;
         let factors = [
@@ -377,19 +372,19 @@ impl Spec {
         ];
         for (name, factor, least) in factors {
             if let Some(factor) = factor.filter(|factor| *factor < least) {
-                return Err(SpecError::Refused(format!(
+                return refused(format!(
                     "{name} is {factor}; give {least} or more, so that the muscle can be tested \
                      above the pressure that is set, or 0 to leave failures out"
-                )));
+                ));
             }
         }
         match self
             .certainty
             .filter(|share| !(0.5..=0.999).contains(share))
         {
-            Some(share) => Err(SpecError::Refused(format!(
+            Some(share) => refused(format!(
                 "the certainty is {share}; it must be from 0.5 (50 %) to 0.999 (99.9 %)"
-            ))),
+            )),
             None => Ok(()),
         }
     }
@@ -400,47 +395,46 @@ impl Spec {
         if self.wanted.extends() {
             return Ok(());
         }
-        let wanted = match &self.radius_mm {
-            Some(radii) => self.wanted.on_radius(radii.bounds().0),
-            None => std::borrow::Cow::Borrowed(&self.wanted),
-        };
-        let required = peak(wanted.points(length_mm).iter().map(|q| q.contraction));
+        let radii = self.wanted.radii_mm();
+        let least_mm = radii.map_or(0.0, |radii| radii.bounds().0);
+        let points = self.wanted.points(length_mm, least_mm);
+        let required = peak(points.iter().map(|q| q.contraction));
         let least_deg = self.least_angle_deg();
         let most = 1.0 - 1.0 / (3f64.sqrt() * least_deg.to_radians().cos());
         if required < most {
             return Ok(());
         }
-        let percent = |share: f64| tidy(100.0 * share, 3);
+        let [required, most] = [required, most].map(|share| tidy(100.0 * share, 3));
         Err(SpecError::OutOfReach {
-            required: percent(required),
-            most: percent(most),
+            required,
+            most,
             least_deg: tidy(least_deg, 3),
         })
     }
 
     /// The smallest angle of the braids on their tubes, in degrees.
     fn least_angle_deg(&self) -> f64 {
-        let angles = match &self.braid {
-            BraidChoice::Angle(angles) => vec![angles.bounds().0],
-            BraidChoice::Sleeves(list) if !self.tubes.is_empty() => {
+        match &self.braid {
+            BraidChoice::Angle(angles) => angles.bounds().0,
+            BraidChoice::StrandLengthPerTurn(_) => 0.0,
+            BraidChoice::Sleeves(list) => {
                 let on = |braid: &Braid, tube: &TubePart| {
-                    Some(
-                        braid
-                            .clone()
-                            .on_diameter(tube.outer_diameter_mm)
-                            .ok()?
-                            .angle_deg,
-                    )
+                    let braid = braid.clone().on_diameter(tube.outer_diameter_mm).ok()?;
+                    Some(braid.angle_deg)
                 };
-                list.iter()
-                    .flat_map(|b| self.tubes.iter().map(move |t| on(b, t)))
-                    .flatten()
-                    .collect()
+                let tubes = &self.tubes;
+                let angles = list
+                    .iter()
+                    .flat_map(|b| tubes.iter().filter_map(move |t| on(b, t)));
+                angles.reduce(f64::min).unwrap_or_default()
             }
-            _ => vec![],
-        };
-        angles.into_iter().reduce(f64::min).unwrap_or_default()
+        }
     }
+}
+
+/// Refuses a specification with the reason.
+pub(crate) fn refused<T>(why: impl Into<String>) -> Result<T, SpecError> {
+    Err(SpecError::Refused(why.into()))
 }
 
 /// Why a specification cannot be searched at all.

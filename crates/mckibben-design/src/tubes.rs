@@ -5,7 +5,7 @@
 //! [`CAST_WALL_OF_BORE`] of it. `data/tubes.toml` states source and use of each.
 
 use mckibben_core::{
-    catalogue::{CastRow, PartsFile, Sources, TubeRow},
+    catalogue::{CastRow, PartsFile, Sources},
     rubber::{LibraryError, Rubber, library},
 };
 use serde::Serialize;
@@ -117,11 +117,18 @@ fn file(text: &str) -> Result<PartsFile, TubeError> {
 /// The tubes of a table.
 pub fn read(text: &str) -> Result<Vec<TubePart>, TubeError> {
     let file = file(text)?;
-    let mut out = file
-        .tube
-        .into_iter()
-        .map(|row| listed(row, &file.sources))
-        .collect::<Result<Vec<_>, _>>()?;
+    let mut out = vec![];
+    for row in file.tube {
+        let source = file.sources.source_and_terms(row.source.as_deref()).0;
+        let sized = (row.name, row.inner.into(), row.outer.into());
+        out.push(TubePart {
+            is_cast: row.cast,
+            price: row.price,
+            pressure_mpa: row.pressure_mpa.map(f64::from),
+            note: row.note,
+            ..part(sized, &row.rubber, source)?
+        });
+    }
     for row in &file.cast {
         for rubber in &row.rubbers {
             out.extend(cast(row, &file.sources, rubber)?);
@@ -130,51 +137,32 @@ pub fn read(text: &str) -> Result<Vec<TubePart>, TubeError> {
     Ok(out)
 }
 
-fn listed(row: TubeRow, sources: &Sources) -> Result<TubePart, TubeError> {
-    let source = sources.source_and_terms(row.source.as_deref()).0;
-    let sized = (row.name, row.inner.into(), row.outer.into());
-    Ok(TubePart {
-        is_cast: row.cast,
-        price: row.price,
-        pressure_mpa: row.pressure_mpa.map(f64::from),
-        note: row.note,
-        ..part(sized, &row.rubber, source)?
-    })
-}
-
 /// The tubes of the catalogue's sizes, cast of a rubber.
 pub fn cast_of(rubber: &str) -> Result<Vec<TubePart>, TubeError> {
     let file = file(TEXT)?;
-    let all: Result<Vec<_>, _> = file
-        .cast
-        .iter()
-        .map(|row| cast(row, &file.sources, rubber))
-        .collect();
-    Ok(all?.concat())
+    let mut out = vec![];
+    for row in &file.cast {
+        out.extend(cast(row, &file.sources, rubber)?);
+    }
+    Ok(out)
 }
 
 fn cast(row: &CastRow, sources: &Sources, rubber: &str) -> Result<Vec<TubePart>, TubeError> {
     let source = sources.source_and_terms(row.source.as_deref()).0;
-    let pairs = row.bores.iter().flat_map(|&bore| {
-        row.walls
-            .iter()
-            .map(move |&wall| (f64::from(bore), f64::from(wall)))
-    });
-    let one = |(bore, wall): (f64, f64)| {
-        let outer = bore + 2.0 * wall;
-        Ok(TubePart {
-            is_cast: true,
-            ..part(
-                (format!("cast-{bore}x{outer}-{rubber}"), bore, outer),
-                rubber,
-                source,
-            )?
-        })
-    };
-    pairs
-        .filter(|(bore, wall)| can_be_cast(*bore, *wall))
-        .map(one)
-        .collect()
+    let mut out = vec![];
+    for bore in row.bores.iter().copied().map(f64::from) {
+        for wall in row.walls.iter().copied().map(f64::from) {
+            if can_be_cast(bore, wall) {
+                let outer = bore + 2.0 * wall;
+                let sized = (format!("cast-{bore}x{outer}-{rubber}"), bore, outer);
+                out.push(TubePart {
+                    is_cast: true,
+                    ..part(sized, rubber, source)?
+                });
+            }
+        }
+    }
+    Ok(out)
 }
 
 /// Whether a tube of a bore and a wall in mm can be cast by hand.

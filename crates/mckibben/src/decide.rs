@@ -1,11 +1,7 @@
 //! Design with the models that every front end takes.
 
 use crate::Model;
-use mckibben_core::{
-    model::{ForceModel, ModelError, ModelKind},
-    muscle::Muscle,
-    progress::Silent,
-};
+use mckibben_core::{model::ModelKind, muscle::Muscle, progress::Silent};
 use mckibben_design::{
     Build, Models, Outcome, ScreenedMuscles, Spec, SpecError, design_with, near_the_box,
 };
@@ -19,11 +15,6 @@ pub struct Deciding {
 }
 
 impl Deciding {
-    /// One model that searches and decides.
-    pub fn by(model: Model) -> Self {
-        Self { quick: None, model }
-    }
-
     /// Finite elements decide of what a closed form has found, of muscles that pull or push.
     pub fn usual(extends: bool) -> Self {
         // `universal` was not fitted for muscles that extend.
@@ -41,13 +32,14 @@ impl Deciding {
     /// Does something with the models of a search.
     pub fn with_models<T>(&self, work: impl FnOnce(Models<'_>) -> T) -> T {
         let decide = |m: &Muscle| self.model.bound(m);
-        let settle = self
-            .quick
-            .as_ref()
-            .map(|quick| (&decide as &Build<'_>, quick.1));
+        let look = |m: &Muscle| match &self.quick {
+            Some((quick, _)) => quick.build(m),
+            None => decide(m),
+        };
+        let settle = self.quick.as_ref();
         work(Models {
-            screen: &|muscle| self.look(muscle),
-            settle,
+            screen: &look,
+            settle: settle.map(|quick| (&decide as &Build<'_>, quick.1)),
         })
     }
 
@@ -57,14 +49,6 @@ impl Deciding {
             .as_ref()
             .map_or(&self.model, |quick| &quick.0)
             .name()
-    }
-
-    /// The model that searches, bound to a muscle.
-    fn look(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-        match &self.quick {
-            Some((quick, is_good)) if is_good(muscle) => quick.build(muscle),
-            _ => self.model.bound(muscle),
-        }
     }
 }
 

@@ -1,12 +1,8 @@
 //! What a design answers with.
 
-use super::{
-    cycle::CycleAnswer,
-    remedies::RelaxationAnswer,
-    request::{OperatingPoint, TorqueWanted},
-};
+use super::{cycle::CycleAnswer, remedies::RelaxationAnswer};
 use crate::{
-    MuscleSummary, PressureLimits, TextFile, UncertaintyWords, Units, percent,
+    MuscleSummary, PressureLimits, TextFile, UncertaintyWords, percent,
     words::{braid_name, rubber_name},
 };
 use mckibben_core::{
@@ -19,7 +15,7 @@ use mckibben_core::{
     warning::Warning,
 };
 use mckibben_design::{
-    BraidChoice, Bundle, Candidate, ChoiceKind, Demand, Lift, Limit, Outcome, Rejected, Spec,
+    BraidChoice, Bundle, Candidate, ChoiceKind, Demand, Limit, Outcome, Rejected, Spec,
     tubes::rubbers,
 };
 use mckibben_report::Figure;
@@ -42,7 +38,7 @@ pub struct DesignAnswer {
     /// Pressure of the supply, MPa.
     pub max_pressure_mpa: f64,
     /// What the muscle must do.
-    pub wanted: DemandAnswer,
+    pub wanted: Demand,
     /// Search space and limits.
     pub searched: SearchedAnswer,
     /// The liquid in the place of air, where there is one.
@@ -79,32 +75,6 @@ pub struct DesignAnswer {
     /// The candidates as muscle files, in their order.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub muscle_files: Vec<TextFile>,
-}
-
-/// What the muscle must do.
-#[derive(Debug, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case", tag = "kind")]
-pub enum DemandAnswer {
-    /// Pulls at contractions.
-    Points {
-        /// The operating points.
-        points: Vec<OperatingPoint>,
-    },
-    /// To lift a load by a stroke.
-    Stroke {
-        /// The stroke, mm.
-        stroke_mm: f64,
-    },
-    /// To lift a load to a contraction.
-    Contraction {
-        /// The contraction ratio.
-        contraction: f64,
-    },
-    /// To turn a joint.
-    Joint {
-        /// Torques at angles.
-        torques: Vec<TorqueWanted>,
-    },
 }
 
 /// Search space and limits.
@@ -195,18 +165,14 @@ pub struct ChoiceAnswer {
 }
 
 /// A muscle that does not fit.
-#[skip_serializing_none]
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct RejectedAnswer {
     /// The muscle.
     #[serde(flatten)]
     pub muscle: MuscleSummary,
-    /// So many of it side by side.
-    pub count: u32,
-    /// The probability that it meets every point, apart from its other limits.
-    pub chance: Option<f64>,
-    /// The shares by which it misses its limits, summed.
-    pub misses_by: f64,
+    /// What the search found of it.
+    #[serde(flatten)]
+    pub rejected: Rejected,
     /// The limit that it misses by most, in a sentence.
     pub reason: String,
     /// That limit.
@@ -226,16 +192,15 @@ pub struct ClosestAnswer {
 
 /// The muscle of a candidate, which knows its job.
 pub fn muscle_file(place: usize, candidate: &Candidate, spec: &Spec) -> TextFile {
-    let name = if place == 0 {
-        "winner.toml".to_owned()
-    } else {
-        format!("candidate-{}.toml", place + 1)
+    let name = match place {
+        0 => "winner.toml".to_owned(),
+        _ => format!("candidate-{}.toml", place + 1),
     };
-    let mut points = Vec::from_iter(candidate.points.iter());
+    let mut points = candidate.points.clone();
     points.sort_by_number(|a| -a.response.pressure_mpa);
-    let points = points.into_iter().map(|q| JobPoint {
-        force: q.wanted.force_n.into(),
-        contraction: q.wanted.contraction.into(),
+    let points = points.iter().map(|q| JobPoint {
+        force: q.required_n.into(),
+        contraction: q.response.contraction.into(),
     });
     let mut muscle = candidate.muscle.clone();
     if let Some(pressure) = Positive::new(candidate.pressure_mpa.into()) {
@@ -246,10 +211,7 @@ pub fn muscle_file(place: usize, candidate: &Candidate, spec: &Spec) -> TextFile
                 .and_then(|mpa| Positive::new(mpa.into())),
             supply: Positive::new(spec.max_pressure_mpa.into()),
             branch: Some(spec.options().direction),
-            liquid: spec
-                .liquid
-                .as_ref()
-                .map(|supply| supply.liquid.name.to_owned()),
+            liquid: spec.liquid.as_ref().map(|l| l.liquid.name.to_owned()),
             count: Some(candidate.count).filter(|count| *count > 1),
             points: points.collect(),
         });
@@ -257,27 +219,6 @@ pub fn muscle_file(place: usize, candidate: &Candidate, spec: &Spec) -> TextFile
     TextFile {
         name,
         text: to_toml(&muscle),
-    }
-}
-
-impl DemandAnswer {
-    pub fn new(demand: &Demand) -> Self {
-        match demand {
-            Demand::Points(points) => Self::Points {
-                points: points.clone(),
-            },
-            &Demand::Load {
-                way: Lift::Stroke(stroke_mm),
-                ..
-            } => Self::Stroke { stroke_mm },
-            &Demand::Load {
-                way: Lift::Contraction(contraction),
-                ..
-            } => Self::Contraction { contraction },
-            Demand::Joint(joint) => Self::Joint {
-                torques: joint.torques.clone(),
-            },
-        }
     }
 }
 
@@ -302,20 +243,15 @@ impl SearchedAnswer {
 
 /// The rubber that is searched with.
 fn rubber_of(spec: &Spec) -> String {
-    if !spec.tubes.is_empty() {
-        let n = spec.tubes.len();
-        let of = rubbers(&spec.tubes).join(", ");
-        return format!("{n} {} of {of}", if n == 1 { "tube" } else { "tubes" });
-    }
-    let names = Vec::from_iter(
-        spec.rubbers
-            .iter()
-            .filter_map(|rubber| rubber.name.as_deref()),
-    );
-    match names[..] {
-        [] => format!("rubber {}", rubber_name(&spec.base)),
-        [one] => format!("rubber {one}"),
-        _ => format!("{} rubbers", names.len()),
+    let names = spec.rubbers.iter().filter_map(|r| r.name.as_deref());
+    match (spec.tubes.len(), &Vec::from_iter(names)[..]) {
+        (0, []) => format!("rubber {}", rubber_name(&spec.base)),
+        (0, [one]) => format!("rubber {one}"),
+        (0, several) => format!("{} rubbers", several.len()),
+        (n, _) => {
+            let tubes = if n == 1 { "tube" } else { "tubes" };
+            format!("{n} {tubes} of {}", rubbers(&spec.tubes).join(", "))
+        }
     }
 }
 
@@ -324,12 +260,12 @@ fn braid_of(spec: &Spec) -> String {
     let base = &spec.base;
     match (&spec.braid, base.braid().stiffness, base.braid().strands) {
         (BraidChoice::Sleeves(list), ..) => match &list[..] {
-            [one] => format!(
-                "sleeve {}",
-                one.sleeve
-                    .as_ref()
-                    .map_or("of the muscle file", |s| &s.name)
-            ),
+            [Braid { sleeve: None, .. }] => "sleeve of the muscle file".into(),
+            [
+                Braid {
+                    sleeve: Some(s), ..
+                },
+            ] => format!("sleeve {}", s.name),
             _ => format!("{} sleeves", list.len()),
         },
         (_, BraidStiffness::OfStrands, Some(strands)) => {
@@ -371,10 +307,8 @@ impl From<&Rejected> for RejectedAnswer {
     fn from(r: &Rejected) -> Self {
         Self {
             muscle: (&r.muscle).into(),
-            count: r.count,
-            chance: r.chance,
-            misses_by: r.misses_by,
-            reason: r.check.describe(&|kind, v| Units::default().show(kind, v)),
+            rejected: r.clone(),
+            reason: r.check.describe(&super::plain),
             limit: r.check.limit,
         }
     }
@@ -390,25 +324,24 @@ pub fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warning> {
         .unwrap_or_default()
 }
 
-/// What the user should know of a candidate: of its burst pressure, of its muscle, and of its
-/// operating points.
-pub fn warnings(c: &Candidate) -> Vec<Warning> {
+/// What the user should know of the best muscle: of its burst pressure, of its muscle, of its
+/// operating points, and of its bundle.
+pub fn warnings(c: &Candidate, bundle: Option<&Bundle>, spec: &Spec) -> Vec<Warning> {
     let mut all = crate::warnings::of_responses(&c.muscle, c.points.iter().map(|q| &q.response));
     all.extend(super::assumed::thin_wall(&c.muscle).map(Warning::from));
     Warning::put_first(&mut all, c.burst.warnings(c.highest_pressure_mpa));
+    // Where no pitch is given they touch just where they are required to pull.
+    let touch = bundle.and_then(|bundle| bundle.touch_contraction);
+    let largest = peak(c.points.iter().map(|q| q.response.contraction));
+    if let Some(touch) = touch.filter(|touch| *touch < largest - 1e-6)
+        && spec.pitch_mm.is_some()
+    {
+        let [touch, largest] = [touch, largest].map(percent);
+        all.push(Warning::from(format!(
+            "neighbours of the bundle touch from a contraction of {touch} at the maximum pressure, \
+             and {largest} is required: beyond that they press on each other, which is not computed"
+        )));
+    }
+    all.extend(Warning::not_measured(&c.muscle, c.highest_pressure_mpa));
     all
-}
-
-/// That neighbours of a bundle touch before the largest contraction that is wanted.
-pub fn touches(bundle: &Bundle, winner: &Candidate) -> Option<Warning> {
-    let largest = peak(winner.points.iter().map(|q| q.wanted.contraction));
-    let touch = bundle
-        .touch_contraction
-        .filter(|touch| *touch < largest - 1e-6)?;
-    let touch = percent(touch);
-    let largest = percent(largest);
-    Some(Warning::from(format!(
-        "neighbours of the bundle touch from a contraction of {touch} at the maximum pressure, and \
-         {largest} is required: beyond that they press on each other, which is not computed"
-    )))
 }

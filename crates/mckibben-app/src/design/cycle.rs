@@ -54,7 +54,7 @@ impl DesignRequest {
                 "`motion` computes a drive",
             ));
         }
-        let force_n = peak(winner.points.iter().map(|q| q.wanted.force_n));
+        let force_n = peak(winner.points.iter().map(|q| q.required_n));
         let step = StepFields {
             pressure_mpa: Some(Pressure(winner.pressure_mpa)),
             load: Some(format!("mass:{}kg", force_n / GRAVITY_M_PER_S2)),
@@ -79,10 +79,8 @@ impl DesignRequest {
             Err(problem) => (None, Some(problem.message)),
         };
         let size = |v: &&NamedValve| v.supply.conductance_l_per_s_bar;
-        let valve = valves()
-            .iter()
-            .filter(|v| needed.is_some_and(|c| size(v) >= c))
-            .min_by_number(size);
+        let is_enough = |v: &&NamedValve| needed.is_some_and(|c| size(v) >= c);
+        let valve = valves().iter().filter(is_enough).min_by_number(size);
         Ok(Some(CycleAnswer {
             frequency_hz,
             air_normal_litres_per_min: winner
@@ -98,26 +96,26 @@ impl DesignRequest {
 impl CycleAnswer {
     /// The line of the decision.
     pub fn line(&self) -> String {
-        let air = self
-            .air_normal_litres_per_min
-            .map(|litres| number(litres, 3))
-            .map_or_else(String::new, |l| format!(": {l} normal L of air a minute"));
-        let valve = match (self.sonic_conductance_l_per_s_bar, &self.valve) {
-            (Some(c), Some(name)) => {
-                format!("; a valve of {} L/(s bar) or more ({name})", number(c, 3))
+        let air = self.air_normal_litres_per_min.map(|l| number(l, 3));
+        let air = air.map(|l| format!(": {l} normal L of air a minute"));
+        let valve = match self.sonic_conductance_l_per_s_bar {
+            Some(c) => {
+                let size = number(c, 3);
+                let name = match &self.valve {
+                    Some(name) => format!(" ({name})"),
+                    None => ", and none of the catalogue has it".into(),
+                };
+                format!("a valve of {size} L/(s bar) or more{name}")
             }
-            (Some(c), None) => format!(
-                "; a valve of {} L/(s bar) or more, and none of the catalogue has it",
-                number(c, 3)
-            ),
-            (None, _) => format!(
-                "; no valve is quick enough: {}",
-                self.reason.as_deref().unwrap_or_default()
-            ),
+            None => {
+                let reason = self.reason.as_deref().unwrap_or_default();
+                format!("no valve is quick enough: {reason}")
+            }
         };
         format!(
-            "Cycles {} a second{air}{valve}",
-            number(self.frequency_hz, 3)
+            "Cycles {} a second{}; {valve}",
+            number(self.frequency_hz, 3),
+            air.unwrap_or_default()
         )
     }
 }

@@ -1,8 +1,12 @@
 //! The decision: what to take and with which chance, which pressure to set, what it pulls, what to
 //! measure, and what limits it.
 
-use super::answer::{CandidateAnswer, ChoiceAnswer};
-use crate::{PressureLimits, UncertaintyWords, Units, number, percent, words::within};
+use super::{
+    answer::{CandidateAnswer, ChoiceAnswer},
+    plain,
+    spec::Search,
+};
+use crate::{PressureLimits, UncertaintyWords, number, percent, words::within};
 use mckibben_build::relief_mpa;
 use mckibben_core::{
     analysis::RELIEF,
@@ -11,19 +15,9 @@ use mckibben_core::{
     units::{Dimension, rounded, tidy},
 };
 use mckibben_design::{
-    Candidate, CandidatePoint, Choice, ChoiceKind, Demand, Outcome, Spec, normal_deviations,
-    normal_share, why_no_more,
+    Candidate, CandidatePoint, Choice, ChoiceKind, Outcome, Spec, normal_deviations, normal_share,
+    why_no_more,
 };
-
-/// What is decided among, for the lines of the decision.
-pub struct Decision<'a> {
-    pub spec: &'a Spec,
-    pub found: &'a Outcome,
-    /// What states their length, where it was assumed.
-    pub length_by: Option<&'static str>,
-    /// The ± of the first.
-    pub words: Option<&'a UncertaintyWords>,
-}
 
 /// A chance as people say it, never more than it is: `9 in 10`.
 pub fn in_words(chance: f64) -> String {
@@ -36,48 +30,45 @@ pub fn in_words(chance: f64) -> String {
     }
 }
 
-impl Decision<'_> {
-    /// The lines, each of which begins with its verb; where nothing fits what has the best chance.
-    pub fn lines(&self) -> Vec<String> {
-        let Some(first) = self.found.candidates.first() else {
-            return self.best_chances().into_iter().collect();
+impl Search<'_> {
+    /// The decision in lines, each of which begins with its verb; where nothing fits what has the
+    /// best chance. `words` are the ± of the first.
+    pub fn decision(&self, found: &Outcome, words: Option<&UncertaintyWords>) -> Vec<String> {
+        let Some(first) = found.candidates.first() else {
+            return self.best_chances(found).into_iter().collect();
         };
-        [
-            Some(self.what_to_take(first)),
-            Some(pressures_to_set(first)),
+        let mut lines = vec![
+            self.what_to_take(first),
+            pressures_to_set(first),
             never_above(first),
-            Some(self.pulls(first)),
-            self.measure(first),
-            Some(limit(first)),
-        ]
-        .into_iter()
-        .flatten()
-        .collect()
+            self.pulls(first),
+        ];
+        lines.extend(words.and_then(|words| measure(first, words)));
+        lines.push(limit(first));
+        lines
     }
 
     /// That nothing reaches the certainty, and what comes closest to it.
-    fn best_chances(&self) -> Option<String> {
+    fn best_chances(&self, found: &Outcome) -> Option<String> {
         let certainty = in_words(self.spec.certainty?);
-        let best = self
-            .found
-            .choices
-            .iter()
-            .map(|Choice { candidate: c, .. }| {
-                let chance = in_words(c.chance.unwrap_or_default());
-                format!("{}{}: {chance}", many(c.count), parts(c))
-            });
-        let best = joined(best, "; ");
+        let best = |Choice { candidate: c, .. }: &Choice| {
+            let chance = in_words(c.chance.unwrap_or_default());
+            format!("{}{}: {chance}", many(c.count), parts(c))
+        };
+        let best = joined(found.choices.iter().map(best), "; ");
         (!best.is_empty()).then(|| format!("None reaches {certainty}; at best {best}"))
     }
 
     fn what_to_take(&self, first: &Candidate) -> String {
         let length = show(Dimension::Length, first.muscle.length_mm());
-        let assumed = self.length_by.map(|by| format!(" (assumed: {by})"));
+        let assumed = match self.is_length_assumed() {
+            true => " (assumed: `length_mm` or `stroke_mm`)",
+            false => "",
+        };
         let mut take = format!(
-            "Take {}{}, {length} between the terminals{}",
+            "Take {}{}, {length} between the terminals{assumed}",
             many(first.count),
-            parts(first),
-            assumed.unwrap_or_default()
+            parts(first)
         );
         if let Some(ends) = first.ends {
             take += &format!(
@@ -87,8 +78,8 @@ impl Decision<'_> {
                 number(ends.mass_g, 2)
             );
         }
-        if let Demand::Joint(_) = self.spec.wanted {
-            let radius = Units::default().show(Dimension::Length, first.radius_mm);
+        if self.spec.wanted.radii_mm().is_some() {
+            let radius = plain(Dimension::Length, first.radius_mm);
             take += &format!(", on a pulley of radius {radius}");
             if 4.0 * first.radius_mm < first.width_mm + first.muscle.outer_diameter_mm() {
                 take += ", on which the two muscles have no room beside each other";
@@ -109,24 +100,22 @@ impl Decision<'_> {
 
     /// What is required of all of them.
     fn required(&self, first: &Candidate) -> String {
-        let count = f64::from(first.count);
         let point = |q: &CandidatePoint| {
-            let force = tidy(count * q.wanted.force_n, 4);
-            let force = Units::default().show(Dimension::Force, force);
-            format!("{force} at {}", percent(q.wanted.contraction))
+            let force = pull(f64::from(first.count) * q.required_n);
+            format!("{force} at {}", percent(q.response.contraction))
         };
         joined(first.points.iter().map(point), " and ")
     }
 
     fn pulls(&self, first: &Candidate) -> String {
-        let spec = self.spec;
+        let spec = &self.spec;
         let point = |q: &CandidatePoint| {
             let built = q.built.filter(|_| spec.built);
             let pull_n = built.map_or(q.response.force_n, |built| built.predicted_n);
             let wanted = format!(
                 "{} at {} and {}",
-                Units::default().show(Dimension::Force, tidy(pull_n, 4)),
-                percent(q.wanted.contraction),
+                pull(pull_n),
+                percent(q.response.contraction),
                 show(Dimension::Pressure, q.response.pressure_mpa)
             );
             let built = q.built.map(|built| {
@@ -166,30 +155,20 @@ impl Decision<'_> {
             joined(facts.into_iter().flatten(), ", ")
         )
     }
+}
 
-    /// What to measure, and what the chance becomes where it measures as expected.
-    fn measure(&self, first: &Candidate) -> Option<String> {
-        let words = self.words?;
-        let half_n = first.largest(|q| q.uncertainty_n);
-        let then =
-            words
-                .worth()
-                .next()
-                .zip(half_n)
-                .zip(first.chance)
-                .map(|((left, half_n), chance)| {
-                    let z = normal_deviations(chance) * half_n / left.uncertainty_n;
-                    format!(
-                        "; where it is as expected, {} then",
-                        in_words(normal_share(z))
-                    )
-                });
-        Some(format!(
-            "Measure {}{}",
-            words.bench.as_ref()?,
-            then.unwrap_or_default()
-        ))
-    }
+/// What to measure, and what the chance becomes where it measures as expected.
+fn measure(first: &Candidate, words: &UncertaintyWords) -> Option<String> {
+    let bench = words.bench.as_ref()?;
+    let half_n = first.largest(|q| q.uncertainty_n);
+    let left = words.worth().next();
+    let then = left.zip(half_n).zip(first.chance);
+    let then = then.map(|((left, half_n), chance)| {
+        let z = normal_deviations(chance) * half_n / left.uncertainty_n;
+        let chance = in_words(normal_share(z));
+        format!("; where it is as expected, {chance} then")
+    });
+    Some(format!("Measure {bench}{}", then.unwrap_or_default()))
 }
 
 impl ChoiceAnswer {
@@ -233,8 +212,13 @@ fn many(count: u32) -> String {
     }
 }
 
+/// A pull in N with four digits.
+fn pull(force_n: f64) -> String {
+    plain(Dimension::Force, tidy(force_n, 4))
+}
+
 fn show(kind: Dimension, value: f64) -> String {
-    Units::default().show(kind, tidy(value, 3))
+    plain(kind, tidy(value, 3))
 }
 
 /// The tube and the sleeve.
@@ -243,16 +227,15 @@ fn parts(c: &Candidate) -> String {
     let outer_mm = m.outer_diameter_mm();
     let [bore, outer] = [outer_mm - 2.0 * m.wall_mm(), outer_mm].map(|mm| number(mm, 4));
     let rubber = crate::words::rubber_name(m);
-    let name = c
-        .tube
-        .as_ref()
-        .map(|name| format!(" ({name})"))
-        .unwrap_or_default();
+    let name = c.tube.as_ref().map(|name| format!(" ({name})"));
     let sleeve = match &m.braid().sleeve {
         Some(sleeve) => format!("sleeve {}", sleeve.name),
         None => format!("braid at {}°", number(m.braid().angle_deg, 4)),
     };
-    format!("tube {bore} × {outer} mm {rubber}{name}, {sleeve}")
+    format!(
+        "tube {bore} × {outer} mm {rubber}{}, {sleeve}",
+        name.unwrap_or_default()
+    )
 }
 
 /// The pressure to begin with, between which nine of ten end, and that of the relief valve.
@@ -261,17 +244,15 @@ fn pressures_to_set(first: &Candidate) -> String {
     let set_mpa = first.pressure_mpa;
     // What is typed as printed is allowed.
     let digits = if tidy(set_mpa, 3) > highest_mpa { 4 } else { 3 };
-    let show_mpa = |p: f64| Units::default().show(Dimension::Pressure, p);
+    let show_mpa = |p: f64| plain(Dimension::Pressure, p);
     let set = show_mpa(tidy(set_mpa, digits).min(rounded(highest_mpa, 4, f64::floor)));
-    let ends = first
-        .pressure_low_mpa
-        .zip(first.pressure_high_mpa)
-        .map(|(low, high)| {
-            let [low, high] = [low, high].map(|p| show(Dimension::Pressure, p));
-            format!(
-                "; nine of ten end between {low} and {high}: hang the load, raise it until it lifts"
-            )
-        });
+    let ends = first.pressure_low_mpa.zip(first.pressure_high_mpa);
+    let ends = ends.map(|(low, high)| {
+        let [low, high] = [low, high].map(|p| show(Dimension::Pressure, p));
+        format!(
+            "; nine of ten end between {low} and {high}: hang the load, raise it until it lifts"
+        )
+    });
     let allowed_mpa = PressureLimits::from(&first.burst).allowed_pressure_mpa;
     let relief = show_mpa(relief_mpa(
         set_mpa.max(first.pressure_high_mpa.unwrap_or_default()),
@@ -284,34 +265,27 @@ fn pressures_to_set(first: &Candidate) -> String {
 }
 
 /// The limit in use, and apart from it the proof test.
-fn never_above(first: &Candidate) -> Option<String> {
+fn never_above(first: &Candidate) -> String {
     let limits = PressureLimits::from(&first.burst);
-    let highest_mpa = first.highest_pressure_mpa;
-    let most_mpa = rounded(
-        limits
-            .allowed_pressure_mpa
-            .unwrap_or(f64::INFINITY)
-            .min(RELIEF * highest_mpa),
-        4,
-        f64::floor,
-    );
-    let most = Units::default().show(Dimension::Pressure, most_mpa);
+    let allowed_mpa = limits.allowed_pressure_mpa.unwrap_or(f64::INFINITY);
+    let most_mpa = allowed_mpa.min(RELIEF * first.highest_pressure_mpa);
+    let most = plain(Dimension::Pressure, rounded(most_mpa, 4, f64::floor));
     let below = first
         .below
         .map(|below| format!(": {}", why_no_more(&below, &show)));
     let test = match first.proof_pressure_mpa {
         Some(proof_mpa) => {
             let proof = show(Dimension::Pressure, proof_mpa);
-            format!(". Proof test once: {proof}, water, stretched")
+            format!("Proof test once: {proof}, water, stretched")
         }
-        None => ". No proof test fits above it".into(),
+        None => "No proof test fits above it".into(),
     };
     let ends = match limits.ends_included {
         true => "",
         false => ". What its ends hold is not included",
     };
     let below = below.unwrap_or_default();
-    Some(format!("Never above {most} in use{below}{test}{ends}"))
+    format!("Never above {most} in use{below}. {test}{ends}")
 }
 
 /// What has least to spare, and what is next.

@@ -10,31 +10,28 @@ mod request;
 mod spec;
 
 pub use answer::{
-    CandidateAnswer, CandidateJoint, ChoiceAnswer, ClosestAnswer, DemandAnswer, DesignAnswer,
-    RejectedAnswer, SearchedAnswer,
+    CandidateAnswer, CandidateJoint, ChoiceAnswer, ClosestAnswer, DesignAnswer, RejectedAnswer,
+    SearchedAnswer,
 };
 pub use mckibben_design::Bundle;
 pub use request::{DesignRequest, ObjectiveWord, OperatingPoint, TorqueWanted};
 
 use crate::{Result, UncertaintyWords, Units, figure};
-use answer::{muscle_file, not_checked, touches};
-use decision::Decision;
+use answer::{muscle_file, not_checked};
 use mckibben_build::{EndParts, Wishes};
 use mckibben_core::{
-    analysis::Evaluation,
-    by_number::ByNumber,
-    load::Load,
-    model::{ForceModel, ModelError, Workspace},
-    muscle::Muscle,
-    progress::Progress,
-    warning::Warning,
+    analysis::Evaluation, by_number::ByNumber, load::Load, model::Workspace, muscle::Muscle,
+    progress::Progress, units::Dimension,
 };
-use mckibben_design::{
-    Build, Candidate, CandidatePoint, Demand, Ends, Outcome, Precision, Spec, design_with,
-};
+use mckibben_design::{Candidate, CandidatePoint, Ends, Outcome, Precision, design_with};
 use mckibben_report::Figure;
 use remedies::RelaxationAnswer;
 use spec::Search;
+
+/// A quantity in the units of requests.
+fn plain(kind: Dimension, value: f64) -> String {
+    Units::default().show(kind, value)
+}
 
 /// Curves are drawn of so many candidates.
 const DRAWN: usize = 3;
@@ -47,136 +44,102 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     // A mesh that one muscle has no room for is no reason against each of them.
     policy.model.bound(&spec.base)?;
     let found = policy.with_models(|models| design_with(spec, models, progress))?;
-    let mut answer = answered(&search, &found)?;
-    answer.load = match &spec.wanted {
-        Demand::Load {
-            load: Load::Force { force_n },
-            ..
-        } => Some(format!("force:{force_n}N")),
-        _ => request.load.load.clone(),
-    };
+    let mut answer = search.answered(&found)?;
     if let Some(winner) = found.candidates.first() {
         answer.cycle = request.cycle_of(winner, spec, progress)?;
-        answer
-            .decision
-            .extend(answer.cycle.as_ref().map(|cycle| cycle.line()));
-    }
-    if let (Some(unit), false) = (&request.figure, answer.candidates.is_empty()) {
-        let decide = |m: &Muscle| policy.model.bound(m);
-        answer.figure = Some(draw(
-            (spec, request.model.name.is_some()),
-            &decide,
-            &found,
-            unit,
-        )?);
+        let cycle = answer.cycle.as_ref();
+        answer.decision.extend(cycle.map(|cycle| cycle.line()));
+        let figure = request.figure.as_ref();
+        answer.figure = figure.map(|unit| search.draw(&found, unit)).transpose()?;
     }
     Ok(answer)
 }
 
-fn answered(search: &Search, found: &Outcome) -> Result<DesignAnswer> {
-    let Search {
-        spec,
-        policy,
-        stated,
-    } = search;
-    let candidates = found.candidates.iter();
-    let choices = found.choices.iter();
-    let decide = |m: &Muscle| policy.model.bound(m);
-    let uncertainty_words = words(spec, &decide, found.candidates.first());
-    let decision = Decision {
-        spec,
-        found,
-        words: uncertainty_words.as_ref(),
-        length_by: stated.length_by,
-    };
-    let closest = found
-        .rejected
-        .first()
-        .filter(|_| found.candidates.is_empty());
-    let remedy = |change| RelaxationAnswer::new(change, search);
-    Ok(DesignAnswer {
-        decision: decision.lines(),
-        model: policy.model.name().into(),
-        searched_with: policy.searches().into(),
-        max_pressure_mpa: spec.max_pressure_mpa,
-        wanted: DemandAnswer::new(&spec.wanted),
-        searched: SearchedAnswer::new(spec),
-        liquid: spec.liquid.as_ref().map(|supply| supply.liquid.clone()),
-        load: None,
-        assumptions: stated.assumptions(spec, found),
-        looked_at: found.looked_at.0,
-        fitting: found.looked_at.1,
-        candidates: candidates
-            .clone()
-            .map(|c| CandidateAnswer::new(c, spec))
-            .collect(),
-        choices: choices.map(|c| ChoiceAnswer::new(c, spec)).collect(),
-        rejected: found.rejected.iter().map(RejectedAnswer::from).collect(),
-        warnings: warnings(spec, found)?,
-        closest: closest.map(|rejected| ClosestAnswer {
-            rejected: rejected.into(),
-            relaxations: found.relaxations.iter().map(remedy).collect(),
-        }),
-        cycle: None,
-        bundle: found.bundle.clone(),
-        figure: None,
-        muscle_files: candidates
-            .enumerate()
-            .map(|(i, c)| muscle_file(i, c, spec))
-            .collect(),
-        uncertainty_words,
-    })
-}
+impl Search<'_> {
+    fn answered(&self, found: &Outcome) -> Result<DesignAnswer> {
+        let Self {
+            request,
+            spec,
+            policy,
+        } = self;
+        let first = found.candidates.first();
+        let words = first.and_then(|winner| self.words(winner));
+        let closest = found.rejected.first().filter(|_| first.is_none());
+        let remedy = |change| RelaxationAnswer::new(change, self);
+        Ok(DesignAnswer {
+            decision: self.decision(found, words.as_ref()),
+            model: policy.model.name().into(),
+            searched_with: policy.searches().into(),
+            max_pressure_mpa: spec.max_pressure_mpa,
+            wanted: spec.wanted.clone(),
+            searched: SearchedAnswer::new(spec),
+            liquid: spec.liquid.as_ref().map(|supply| supply.liquid.clone()),
+            load: match spec.wanted.load() {
+                Some(Load::Force { force_n }) => Some(format!("force:{force_n}N")),
+                _ => request.load.load.clone(),
+            },
+            assumptions: self.assumptions(found),
+            looked_at: found.looked_at.0,
+            fitting: found.looked_at.1,
+            candidates: found
+                .candidates
+                .iter()
+                .map(|c| CandidateAnswer::new(c, spec))
+                .collect(),
+            choices: found
+                .choices
+                .iter()
+                .map(|c| ChoiceAnswer::new(c, spec))
+                .collect(),
+            rejected: found.rejected.iter().map(RejectedAnswer::from).collect(),
+            warnings: match first {
+                Some(winner) => answer::warnings(winner, found.bundle.as_ref(), spec),
+                None => not_checked(found, spec.max_pressure_mpa),
+            },
+            closest: closest.map(|rejected| ClosestAnswer {
+                rejected: rejected.into(),
+                relaxations: found.relaxations.iter().map(remedy).collect(),
+            }),
+            cycle: None,
+            bundle: found.bundle.clone(),
+            figure: None,
+            muscle_files: found
+                .candidates
+                .iter()
+                .enumerate()
+                .map(|(i, c)| muscle_file(i, c, spec))
+                .collect(),
+            uncertainty_words: words,
+        })
+    }
 
-/// What the user should know of the best muscle and of its bundle.
-fn warnings(spec: &Spec, found: &Outcome) -> Result<Vec<Warning>> {
-    let Some(winner) = found.candidates.first() else {
-        return Ok(not_checked(found, spec.max_pressure_mpa));
-    };
-    let mut warnings = answer::warnings(winner);
-    // Where no pitch is given they touch just where they are required to pull.
-    let bundle = found.bundle.as_ref().filter(|_| spec.pitch_mm.is_some());
-    warnings.extend(bundle.and_then(|bundle| touches(bundle, winner)));
-    warnings.extend(Warning::not_measured(
-        &winner.muscle,
-        winner.highest_pressure_mpa,
-    ));
-    Ok(warnings)
-}
+    /// The ± of the winner in words, at the point where it is largest.
+    fn words(&self, winner: &Candidate) -> Option<UncertaintyWords> {
+        let half = |q: &CandidatePoint| q.uncertainty_n.unwrap_or_default();
+        let response = &winner.points.iter().max_by_number(|q| half(q))?.response;
+        let model = self.policy.model.bound(&winner.muscle).ok()?;
+        let workspace = &mut Workspace::new();
+        let mut model = Evaluation::new(&*model, workspace, self.spec.options());
+        let place = (response.pressure_mpa, response.contraction);
+        let predicted = model.predicted(place.0, place.1, response.force_n);
+        Some(UncertaintyWords::at(predicted, place, &mut model))
+    }
 
-/// The ± of the winner in words, at the point where it is largest.
-fn words(spec: &Spec, build: &Build<'_>, winner: Option<&Candidate>) -> Option<UncertaintyWords> {
-    let winner = winner?;
-    let half = |q: &CandidatePoint| q.uncertainty_n.unwrap_or_default();
-    let response = &winner.points.iter().max_by_number(|q| half(q))?.response;
-    let model = build(&winner.muscle).ok()?;
-    let workspace = &mut Workspace::new();
-    let mut model = Evaluation::new(&*model, workspace, spec.options());
-    let place = (response.pressure_mpa, response.contraction);
-    Some(UncertaintyWords::at(
-        model.predicted(place.0, place.1, response.force_n),
-        place,
-        &mut model,
-    ))
-}
-
-fn draw(
-    (spec, is_model_named): (&Spec, bool),
-    build: &Build<'_>,
-    found: &Outcome,
-    unit: &Units,
-) -> Result<Figure> {
-    let options = (spec.options(), is_model_named);
-    let drawn = found.candidates.iter().take(DRAWN);
-    let drawn: Vec<(&Candidate, Box<dyn ForceModel>)> = drawn
-        .map(|c| Ok((c, build(&c.muscle)?)))
-        .collect::<Result<_, ModelError>>()?;
-    let points: Vec<OperatingPoint> = found
-        .candidates
-        .first()
-        .map(|c| c.points.iter().map(|q| q.wanted).collect())
-        .unwrap_or_default();
-    Ok(figure::design(&drawn, &points, options, unit))
+    /// Curves of the best muscles, and the points of the first.
+    fn draw(&self, found: &Outcome, unit: &Units) -> Result<Figure> {
+        let options = (self.spec.options(), self.request.model.name.is_some());
+        let mut drawn = vec![];
+        for c in found.candidates.iter().take(DRAWN) {
+            drawn.push((c, self.policy.model.bound(&c.muscle)?));
+        }
+        let first = drawn.iter().take(1).flat_map(|(c, _)| &c.points);
+        let point = |q: &CandidatePoint| OperatingPoint {
+            force_n: q.required_n,
+            contraction: q.response.contraction,
+        };
+        let points = Vec::from_iter(first.map(point));
+        Ok(figure::design(&drawn, &points, options, unit))
+    }
 }
 
 /// The ends of a muscle as `build` makes them.

@@ -91,12 +91,10 @@ impl DesignAnswer {
                 .map(|text| format!("Assumed: {}.", u.sentence(text))),
         );
         let near = &self.rejected[usize::from(self.closest.is_some())..];
-        let heading = match &self.closest {
-            Some(_) => "Next closest",
-            None => "Near misses",
-        };
-        if is_full || self.closest.is_some() {
-            page.list(heading, near, u, &NEAR);
+        if self.closest.is_some() {
+            page.list("Next closest", near, u, &NEAR);
+        } else if is_full {
+            page.list("Near misses", near, u, &NEAR);
         }
         page
     }
@@ -108,16 +106,11 @@ impl DesignAnswer {
             page.paragraph("Bundle of the first muscle");
             page.and(Page::of(bundle, u, &[]));
         }
-        let joint = self.candidates.first().and_then(|first| first.joint);
-        if let Some(joint) = joint {
-            page.paragraph(joint.text(self.several(), winner, u));
+        if let Some(first) = self.candidates.first()
+            && let Some(joint) = first.joint
+        {
+            page.paragraph(joint.text(first.candidate.count, winner, u));
         }
-    }
-
-    /// How many muscles share what is required, where it is more than one.
-    fn several(&self) -> Option<u32> {
-        let count = self.candidates.first()?.candidate.count;
-        (count > 1).then_some(count)
     }
 }
 
@@ -149,10 +142,11 @@ impl CandidateJoint {
 
     /// The pulley between the muscles, and the joint file that goes with them. A joint file names
     /// its muscles relative to itself: it goes beside them.
-    fn text(&self, several: Option<u32>, winner: Option<&str>, u: &Units) -> String {
-        let share = several
-            .map(|count| format!(" (its torque is that of one of {count})"))
-            .unwrap_or_default();
+    fn text(&self, count: u32, winner: Option<&str>, u: &Units) -> String {
+        let share = match count {
+            1 => String::new(),
+            _ => format!(" (its torque is that of one of {count})"),
+        };
         let radius = u.length.show(self.radius_mm);
         let neutral = self.neutral();
         let place = match winner {

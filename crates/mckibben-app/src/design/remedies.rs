@@ -1,7 +1,6 @@
 //! If no muscle fits: which changes of the specification help, in sentences.
 
-use super::spec::Search;
-use crate::Units;
+use super::{plain, spec::Search};
 use mckibben_design::Relaxation;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -19,12 +18,13 @@ pub struct RelaxationAnswer {
 impl RelaxationAnswer {
     /// Of what was found, in the numbers of the request: of all muscles together, and of the circle
     /// around them.
-    pub fn new(change: &Relaxation, search: &Search) -> Self {
-        let spec = &search.spec;
-        let stated = &search.stated;
-        let mut text = change.describe(spec, &|kind, value| Units::default().show(kind, value));
-        if let Relaxation::Contraction { share, .. } = change
-            && stated.stroke_sets_contraction
+    pub fn new(change: &Relaxation, search: &Search<'_>) -> Self {
+        let Search { request, spec, .. } = search;
+        let mut text = change.describe(spec, &plain);
+        let is_by_stroke = request.stroke_mm.is_some() && request.contraction.is_none();
+        if let Relaxation::Contraction { share } = change
+            && is_by_stroke
+            && !request.length_is_searched()
         {
             let mm = (spec.base.length_mm() / share).ceil();
             text += &format!("; or keep the stroke with a length of {mm}\u{a0}mm");

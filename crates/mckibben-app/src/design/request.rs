@@ -6,6 +6,7 @@ use crate::{
     fields::name_or_file,
     flags::{self, Args},
     number,
+    problem::stated,
 };
 use mckibben_core::units::{QuantityError, typed};
 use mckibben_core::{
@@ -270,7 +271,6 @@ impl DesignRequest {
             )
             .in_field("guaranteed"));
         }
-        let is_joint = !self.torques.is_empty();
         if let Some(Choice::One(Length(mm))) = self.length_mm
             && mm > 0.0
             && mm < SHORTEST_MM
@@ -282,62 +282,41 @@ impl DesignRequest {
             )
             .in_field("length_mm"));
         }
-        Problem::refuse_several(
-            &[
-                ("force_n", self.force_n.is_some()),
-                ("points", !self.points.is_empty()),
-                ("load", self.load.load.is_some()),
-                ("torques", is_joint),
-            ],
-            "state the requirement",
-        )?;
-        let contraction = [("contraction", self.contraction.is_some())];
-        if !self.points.is_empty() {
-            Problem::refuse_unused(&contraction, "each of `points` has its own")?;
-        }
-        if is_joint {
-            let stroke = [contraction[0], ("stroke_mm", self.stroke_mm.is_some())];
-            Problem::refuse_unused(
-                &stroke,
+        let [force, points, torques] = stated!(self; force_n, points, torques);
+        let load = ("load", self.load.load.is_some());
+        Problem::refuse_several(&[force, points, load, torques], "state the requirement")?;
+        let unused = [
+            (
+                points.1,
+                &stated!(self; contraction)[..],
+                "each of `points` has its own",
+            ),
+            (
+                torques.1,
+                &stated!(self; contraction, stroke_mm),
                 "the angles and the pulley set the contraction of a joint's muscles",
-            )?;
-        } else {
-            let of_joint = [
-                ("radius_mm", self.radius_mm.is_some()),
-                ("largest_angle_deg", self.largest_angle_deg.is_some()),
-            ];
-            Problem::refuse_unused(
-                &of_joint,
+            ),
+            (
+                !torques.1,
+                &stated!(self; radius_mm, largest_angle_deg),
                 "it belongs to a joint, and no `torques` are given",
-            )?;
-        }
-        if self.count.is_none_or(|count| count.0 == 1) {
-            Problem::refuse_unused(
-                &[("pitch_mm", self.pitch_mm.is_some())],
+            ),
+            (
+                self.count.is_none_or(|count| count.0 == 1),
+                &stated!(self; pitch_mm),
                 "it is the distance of neighbours in a `count` of two muscles or more",
-            )?;
+            ),
+        ];
+        for (_, fields, why) in unused.into_iter().filter(|rule| rule.0) {
+            Problem::refuse_unused(fields, why)?;
         }
-        Problem::refuse_several(
-            &[("sold", self.sold), ("cast", self.cast)],
-            "say which tubes are searched",
-        )?;
+        Problem::refuse_several(&stated!(self; sold, cast), "say which tubes are searched")?;
         if self.muscle.is_some() {
-            Problem::refuse_unused(
-                &[("also_muscle", self.also_muscle.is_some())],
-                "a muscle file is given already",
-            )?;
+            let again = stated!(self; also_muscle);
+            Problem::refuse_unused(&again, "a muscle file is given already")?;
         }
-        Problem::refuse_several(
-            &[
-                ("braids", !self.braids.is_empty()),
-                (
-                    "strand_length_per_turn_mm",
-                    self.strand_length_per_turn_mm.is_some(),
-                ),
-                ("angle_deg", self.angle_deg.is_some()),
-            ],
-            "set the angle",
-        )
+        let angle = stated!(self; braids, strand_length_per_turn_mm, angle_deg);
+        Problem::refuse_several(&angle, "set the angle")
     }
 
     /// The limits, as far as the strands' strength is known.
@@ -347,11 +326,9 @@ impl DesignRequest {
             _ => strand_strength_n(base),
         };
         if self.min_burst_margin.is_some_and(|m| m > 0.0) && strength.is_none() {
-            let message =
-                "`min_burst_margin` needs the strands' strength, which this muscle does not state";
             return Err(Problem::new(
                 ProblemKind::Specification,
-                message,
+                "`min_burst_margin` needs the strands' strength, which this muscle does not state",
                 "give braid.strands and braid.strand_strength in the muscle file",
             ));
         }
@@ -364,10 +341,10 @@ impl DesignRequest {
             stretch: self.max_stretch,
             fitted_stretch: true,
             buckling: !self.guided,
-            strand_strain: Some(
-                self.max_strand_strain
-                    .map_or(VALIDATED_STRAND_STRAIN, f64::from),
-            ),
+            strand_strain: self
+                .max_strand_strain
+                .map(f64::from)
+                .or(Some(VALIDATED_STRAND_STRAIN)),
             liquid_volume_mm3: self.max_liquid_volume_mm3.map(f64::from),
         })
     }
@@ -376,23 +353,18 @@ impl DesignRequest {
 /// A contraction ratio; a shortening in mm is a stroke.
 fn contraction(text: &str) -> Result<Ratio> {
     text.parse().map_err(|error: QuantityError| {
-        let hint = match text.parse::<Length>() {
-            Ok(_) => "give a ratio such as 15%, or a stroke with `stroke_mm`",
-            Err(_) => "",
-        };
-        Problem::new(ProblemKind::Quantity, error.to_string(), hint)
+        let is_length = text.parse::<Length>().is_ok();
+        let hint = "give a ratio such as 15%, or a stroke with `stroke_mm`";
+        Problem::from(error).with_hint(if is_length { hint } else { "" })
     })
 }
 
 /// A pressure of a supply; a bare number above that of any workshop means bar.
 fn supply(text: &str) -> Result<Pressure> {
     const MOST_MPA: f64 = 1.6;
-    let pressure: Pressure = text
-        .parse()
-        .map_err(|error: QuantityError| ProblemKind::Quantity.problem(error.to_string()))?;
-    let is_bare = text.trim().parse::<f64>().is_ok();
-    if is_bare && pressure.0 > MOST_MPA {
-        let text = text.trim();
+    let pressure: Pressure = text.parse()?;
+    let text = text.trim();
+    if text.parse::<f64>().is_ok() && pressure.0 > MOST_MPA {
         let bar = 10.0 * pressure.0;
         return Err(Problem::new(
             ProblemKind::Quantity,
@@ -405,10 +377,8 @@ fn supply(text: &str) -> Result<Pressure> {
 
 /// A required pull at a contraction: `700N@15%`.
 fn operating_point(text: &str) -> Result<OperatingPoint> {
-    let (Force(force_n), Ratio(contraction)) = pair_at_sign(
-        text,
-        "operating point; expected a pull at a contraction such as 700N@15%",
-    )?;
+    let expected = "operating point; expected a pull at a contraction such as 700N@15%";
+    let (Force(force_n), Ratio(contraction)) = pair_at_sign(text, expected)?;
     Ok(OperatingPoint {
         force_n,
         contraction,
@@ -417,8 +387,8 @@ fn operating_point(text: &str) -> Result<OperatingPoint> {
 
 /// A required torque at an angle to either side: `8Nm@45deg`.
 fn torque(text: &str) -> Result<TorqueWanted> {
-    let (typed::Torque(torque_nm), Angle(angle_deg)) =
-        pair_at_sign(text, "torque at an angle; expected one such as 8Nm@45deg")?;
+    let expected = "torque at an angle; expected one such as 8Nm@45deg";
+    let (typed::Torque(torque_nm), Angle(angle_deg)) = pair_at_sign(text, expected)?;
     Ok(TorqueWanted {
         torque_nm,
         angle_deg,
@@ -430,18 +400,11 @@ where
     A: std::str::FromStr<Err = QuantityError>,
     B: std::str::FromStr<Err = QuantityError>,
 {
-    let wrong = |message| ProblemKind::Quantity.problem(message);
-    let (first, second) = text
-        .split_once('@')
-        .ok_or_else(|| wrong(format!("\"{text}\" is not a valid {expected}")))?;
+    let Some((first, second)) = text.split_once('@') else {
+        let why = format!("\"{text}\" is not a valid {expected}");
+        return Err(ProblemKind::Quantity.problem(why));
+    };
     // The joint is symmetric.
     let second = second.trim().trim_start_matches(['±', '+']);
-    Ok((
-        first
-            .parse()
-            .map_err(|e: QuantityError| wrong(e.to_string()))?,
-        second
-            .parse()
-            .map_err(|e: QuantityError| wrong(e.to_string()))?,
-    ))
+    Ok((first.parse()?, second.parse()?))
 }

@@ -1,14 +1,11 @@
 //! How a request becomes a specification, and what it leaves open.
 
-use super::{
-    assumed::{SUPPLY_MPA, Stated},
-    design_ends,
-    request::DesignRequest,
-};
+use super::{assumed::SUPPLY_MPA, design_ends, request::DesignRequest};
 use crate::{
     Model, MuscleFields, Problem, ProblemKind, Result, TextFile, above_zero, check_branch, finite,
     given,
     parts::{sleeve_entries, unread, users_tubes},
+    problem::stated,
     ratio, rubber, sleeve,
 };
 use mckibben::Deciding;
@@ -20,26 +17,26 @@ use mckibben_core::{
         Braid, Direction, Muscle, Tube,
         measures::{LENGTH, STRAND_MODULUS},
     },
-    rubber::library::stiffness_factor,
+    rubber::{Rubber, library::stiffness_factor},
     sleeve::SleeveEntry,
     units::{
         Values, tidy,
-        typed::{Angle, Choice, Length, Quantity},
+        typed::{Choice, Force, Quantity, Ratio},
     },
 };
 use mckibben_design::{
-    BraidChoice, CERTAINTY, Demand, JointDemand, LARGEST_BUNDLE, Lift, OperatingPoint, Product,
+    BraidChoice, CERTAINTY, Demand, JointDemand, LARGEST_BUNDLE, OperatingPoint, Product,
     SUPPLY_SHARE, Spec,
     tubes::{self, TubePart},
 };
 use mckibben_fit::library::{PREFIX, library};
 use std::borrow::Cow;
 
-/// What is searched, by which models, and what of it was assumed.
-pub struct Search {
+/// What is asked, what is searched for it, and by which models.
+pub struct Search<'a> {
+    pub request: &'a DesignRequest,
     pub spec: Spec,
     pub policy: Deciding,
-    pub stated: Stated,
 }
 
 /// Contraction that no braid reaches: that of inextensible strands at 0°, 1 − 1/√3, rounded. It
@@ -55,56 +52,47 @@ const LEAST_SLENDERNESS: f64 = 4.0;
 const SMALLEST_RADIUS: f64 = 0.1;
 
 /// Braid angles in degrees that are searched for a push where none is given.
-const EXTENSILE_DEG: (f64, f64) = (57.0, 72.0);
+const EXTENSILE_DEG: Values = Values::Interval(57.0, 72.0);
 
 /// Diameters and walls in mm that are searched where nothing else is said.
-const SECTIONS: ((f64, f64), (f64, f64)) = ((5.0, 80.0), (0.5, 10.0));
+const SECTIONS: [(f64, f64); 2] = [(5.0, 80.0), (0.5, 10.0)];
 
 impl DesignRequest {
-    pub fn search(&self) -> Result<Search> {
+    pub fn search(&self) -> Result<Search<'_>> {
         self.validate()?;
-        let (base, wanted, radius_mm) = self.demand()?;
-        let count = self.count.map_or(1, |count| count.0 as u32);
+        let (base, wanted) = self.demand()?;
+        let count = self.count.map(|count| count.0 as u32);
         let extends = wanted.extends();
         let model = self.model.choose()?;
-        let policy = match self.model.name {
-            Some(_) => Deciding::by(model),
-            None => Deciding {
-                model,
-                ..Deciding::usual(extends)
-            },
-        };
+        let is_named = self.model.name.is_some();
+        let quick = Deciding::usual(extends).quick.filter(|_| !is_named);
+        let policy = Deciding { quick, model };
         let range = policy.model.range();
-        let tubes = match self.free_sizes(range.is_some(), extends) {
-            None => Some(self.tubes_of_make()?),
-            Some(by) => {
-                self.refuse_tubes(by)?;
-                None
-            }
-        };
-        let braid = self.braid_choice(&base, tubes.is_some(), extends)?;
-        let (diameters, walls) = range.map_or(SECTIONS, |r| (r.outer_diameter_mm, r.wall_mm));
-        let between = |field, choice: &Option<Choice<Length>>, (low, high)| {
-            choice.as_ref().map_or_else(
-                || Ok(Values::Interval(low, high)),
-                |choice| values(choice, field),
-            )
-        };
+        let free = self.free_sizes(range.is_some(), extends);
+        let tubes = self.tubes_but(free.as_deref())?;
+        let braid = self.braid_choice(&base, free.is_none(), extends)?;
+        let [diameters, walls] = range
+            .map_or(SECTIONS, |r| [r.outer_diameter_mm, r.wall_mm])
+            .map(|(low, high)| Values::Interval(low, high));
+        let outer_diameter_mm = values(&self.outer_diameter_mm, "outer_diameter_mm")?;
         let rubbers = self.rubbers.iter().map(|name| rubber(name));
         let usual_mpa = range.map_or(SUPPLY_MPA, |r| r.pressure_mpa.1.min(SUPPLY_MPA));
         let supply_mpa = self.max_pressure_mpa.map_or(usual_mpa, f64::from);
-        let is_built = self.model.name.is_none() && !extends;
-        let by_length = self.length_is_searched() && self.length_mm.is_none();
+        let is_built = !is_named && !extends;
+        let stroke_mm = self.searched_stroke_mm();
         let spec = Spec {
             wanted,
-            count,
-            most_side_by_side: self.count.map_or(LARGEST_BUNDLE, |_| count),
-            radius_mm,
+            count: count.unwrap_or(1),
+            most_side_by_side: count.unwrap_or(LARGEST_BUNDLE),
             ends: Some(design_ends),
             products: if extends { vec![] } else { products() },
             pitch_mm: self.pitch_mm.map(f64::from),
             built: is_built,
-            direction: self.branch(),
+            // A model by name answers for itself, a muscle that is built lifts against friction.
+            direction: self.direction.unwrap_or(match is_named {
+                true => Direction::Mean,
+                false => Direction::Contraction,
+            }),
             max_pressure_mpa: finite("max_pressure_mpa", supply_mpa)?,
             // A closed form or a formula is a method that takes the pressure as it is given.
             supply_share: match policy.model {
@@ -112,17 +100,14 @@ impl DesignRequest {
                 _ => 1.0,
             },
             liquid: self.liquid.named_supply()?,
-            length_mm: self.lengths(tubes.is_some())?,
-            longer_mm: match self.stroke_mm.filter(|_| by_length) {
-                Some(stroke) => LONGER.map(|share| tidy(stroke.0 / share, 2)).to_vec(),
-                None => vec![],
-            },
-            least_slenderness: if by_length { LEAST_SLENDERNESS } else { 0.0 },
+            length_mm: self.lengths(free.is_none())?,
+            longer_mm: stroke_mm.map_or(vec![], |mm| LONGER.map(|e| tidy(mm / e, 2)).to_vec()),
+            least_slenderness: stroke_mm.map_or(0.0, |_| LEAST_SLENDERNESS),
             limits: self.limits(&braid, &base)?,
             base,
-            tubes: tubes.unwrap_or_default(),
-            outer_diameter_mm: between("outer_diameter_mm", &self.outer_diameter_mm, diameters)?,
-            wall_mm: between("wall_mm", &self.wall_mm, walls)?,
+            tubes,
+            outer_diameter_mm: outer_diameter_mm.unwrap_or(diameters),
+            wall_mm: values(&self.wall_mm, "wall_mm")?.unwrap_or(walls),
             braid,
             rubbers: rubbers.collect::<Result<_>>()?,
             certainty: self
@@ -133,85 +118,52 @@ impl DesignRequest {
             top: self.top.map_or(5, |top| top.0),
             extrapolate: self.extrapolate,
         };
-        self.check_branch(&spec)?;
+        if let Some(direction) = self.direction {
+            let options = Options {
+                direction,
+                ..spec.options()
+            };
+            check_branch(options, &spec.base)?;
+        }
         Ok(Search {
-            stated: Stated::new(self, &policy.model),
+            request: self,
             spec,
             policy,
         })
     }
 
-    /// Of free sizes no tube is named.
-    fn refuse_tubes(&self, by: impl std::fmt::Display) -> Result<()> {
-        Problem::refuse_unused(
-            &[
-                ("sold", self.sold),
-                ("cast", self.cast),
-                ("tubes", !self.tubes.is_empty()),
-                ("parts", self.parts.is_some()),
-            ],
-            format!("{by} asks for free sizes"),
-        )
-    }
-
-    /// The branch on which it must pull: a model by name answers for itself, a muscle that is built
-    /// lifts against friction.
-    fn branch(&self) -> Direction {
-        self.direction.unwrap_or(match self.model.name {
-            Some(_) => Direction::Mean,
-            None => Direction::Contraction,
-        })
-    }
-
-    /// Refuses a branch that is asked for, of muscles whose friction is not known.
-    fn check_branch(&self, spec: &Spec) -> Result<()> {
-        let options = spec.options();
-        match self.direction {
-            Some(direction) if direction != options.direction => check_branch(
-                Options {
-                    direction,
-                    ..options
-                },
-                &spec.base,
-            ),
-            _ => Ok(()),
-        }
-    }
-
     /// The lengths that are searched: those that are given, or those of which a stroke is a share
     /// that a muscle contracts by.
     fn lengths(&self, as_sold: bool) -> Result<Option<Values>> {
-        let stroke = self.stroke_mm.filter(|_| self.length_is_searched());
-        Ok(match (&self.length_mm, stroke) {
-            (None | Some(Choice::One(_)), None) => None,
-            (Some(choice), _) => Some(values(choice, "length_mm")?),
-            (None, Some(stroke)) => {
-                let (low, high) = CONTRACTIONS;
-                let [low, high] = [high, low].map(|share| tidy(stroke.0 / share, 2));
-                Some(Values::Interval(
-                    low,
-                    if as_sold {
-                        high
-                    } else {
-                        // Of free sizes no tube says which length its ends allow.
-                        high.max(Muscle::prototype().length_mm())
-                    },
-                ))
-            }
-        })
+        let Some(stroke_mm) = self.searched_stroke_mm() else {
+            return Ok(match self.length_mm {
+                Some(Choice::One(_)) => None,
+                _ => values(&self.length_mm, "length_mm")?,
+            });
+        };
+        let (low, high) = CONTRACTIONS;
+        let [low, high] = [high, low].map(|share| tidy(stroke_mm / share, 2));
+        // Of free sizes no tube says which length its ends allow.
+        let usual = if as_sold {
+            high
+        } else {
+            Muscle::prototype().length_mm()
+        };
+        Ok(Some(Values::Interval(low, high.max(usual))))
+    }
+
+    /// The stroke in mm that sets the lengths of the search.
+    fn searched_stroke_mm(&self) -> Option<f64> {
+        let is_free = self.length_mm.is_none() && self.length_is_searched();
+        self.stroke_mm.filter(|_| is_free).map(f64::from)
     }
 
     /// Whether a stroke sets the contraction of muscles whose length is searched.
     pub fn length_is_searched(&self) -> bool {
+        let has_range = |model: Model| model.range().is_some();
         let is_free = match &self.length_mm {
             Some(choice) => !matches!(choice, Choice::One(_)),
-            None => {
-                self.file().is_none()
-                    && !self
-                        .model
-                        .choose()
-                        .is_ok_and(|model: Model| model.range().is_some())
-            }
+            None => self.file().is_none() && !self.model.choose().is_ok_and(has_range),
         };
         let pushes = self.force_n.is_some_and(|force_n| force_n.0 < 0.0);
         is_free && self.stroke_mm.is_some() && self.contraction.is_none() && !pushes
@@ -224,75 +176,61 @@ impl DesignRequest {
 
     /// The sleeves, or the angles.
     fn braid_choice(&self, base: &Muscle, as_sold: bool, extends: bool) -> Result<BraidChoice> {
+        const TURNS: &str = "strand_length_per_turn_mm";
         let sleeves = self.sleeves(base, as_sold)?;
-        let turns = self.turns_mm()?;
-        Ok(match &self.angle_deg {
-            Some(angles) => BraidChoice::Angle(values(angles, "angle_deg")?),
-            None if !turns.is_empty() => BraidChoice::StrandLengthPerTurn(turns),
-            None if !sleeves.is_empty() => BraidChoice::Sleeves(sleeves),
-            None if extends && !base.is_extensile() => {
-                BraidChoice::Angle(Values::Interval(EXTENSILE_DEG.0, EXTENSILE_DEG.1))
+        Ok(match values(&self.strand_length_per_turn_mm, TURNS)? {
+            Some(Values::List(list)) => BraidChoice::StrandLengthPerTurn(list),
+            // Of those on sale there is a list.
+            Some(Values::Interval(..)) => {
+                return Err(Problem::new(
+                    ProblemKind::Range,
+                    "give the sleeves that are sold as a list",
+                    "such as 90,110,130mm",
+                )
+                .in_field(TURNS));
             }
-            None => BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
+            None if !sleeves.is_empty() && self.angle_deg.is_none() => {
+                BraidChoice::Sleeves(sleeves)
+            }
+            None => {
+                let usual = match extends && !base.is_extensile() {
+                    true => EXTENSILE_DEG,
+                    false => Values::List(vec![base.braid().angle_deg]),
+                };
+                BraidChoice::Angle(values(&self.angle_deg, "angle_deg")?.unwrap_or(usual))
+            }
         })
     }
 
-    /// Strand lengths per turn of sleeves in mm: those on sale, of which there is a list.
-    fn turns_mm(&self) -> Result<Vec<f64>> {
-        const FIELD: &str = "strand_length_per_turn_mm";
-        let Some(choice) = &self.strand_length_per_turn_mm else {
-            return Ok(vec![]);
-        };
-        match values(choice, FIELD)? {
-            Values::List(list) => Ok(list),
-            Values::Interval(..) => Err(Problem::new(
-                ProblemKind::Range,
-                "give the sleeves that are sold as a list",
-                "such as 90,110,130mm",
-            )
-            .in_field(FIELD)),
-        }
-    }
-
     /// What asks for free sizes, in place of tubes and sleeves as sold.
-    fn free_sizes(&self, of_one_braid: bool, extends: bool) -> Option<&'static str> {
-        let given = [
-            ("`continuous`", self.continuous),
-            ("`muscle`", self.file().is_some()),
-            ("`with`", !self.with.is_empty()),
-            ("`outer_diameter_mm`", self.outer_diameter_mm.is_some()),
-            ("`wall_mm`", self.wall_mm.is_some()),
-            // A tube by its size takes an angle as `force` does.
-            (
-                "`angle_deg`",
-                self.angle_deg.is_some() && self.tubes.is_empty(),
-            ),
-            (
-                "`strand_length_per_turn_mm`",
-                self.strand_length_per_turn_mm.is_some(),
-            ),
-            ("`stiffness`", self.stiffness.is_some()),
-            // A formula for one braid and rubber has no answer for others.
-            ("a formula for one braid", of_one_braid),
-            ("a push", extends),
-        ];
-        given
-            .into_iter()
-            .find(|(_, given)| *given)
-            .map(|(by, _)| by)
+    fn free_sizes(&self, of_one_braid: bool, extends: bool) -> Option<String> {
+        let stated = stated!(self; continuous, muscle, also_muscle, with, outer_diameter_mm, wall_mm,
+            angle_deg, strand_length_per_turn_mm, stiffness);
+        // A tube by its size takes an angle as `force` does.
+        let is_of_tube = |name: &str| name == "angle_deg" && !self.tubes.is_empty();
+        let asks = |field: &(&str, bool)| field.1 && !is_of_tube(field.0);
+        if let Some((name, _)) = stated.into_iter().find(asks) {
+            return Some(format!("`{}`", name.trim_start_matches("also_")));
+        }
+        // A formula for one braid and rubber has no answer for others.
+        let by = of_one_braid.then_some("a formula for one braid");
+        by.or(extends.then_some("a push")).map(String::from)
     }
 
-    /// The tubes that are searched, of the make that is asked.
-    fn tubes_of_make(&self) -> Result<Vec<TubePart>> {
+    /// The tubes that are searched, of the make that is asked; none where something asks for free
+    /// sizes.
+    fn tubes_but(&self, free: Option<&str>) -> Result<Vec<TubePart>> {
+        if let Some(by) = free {
+            let named = stated!(self; sold, cast, tubes, parts);
+            Problem::refuse_unused(&named, format!("{by} asks for free sizes"))?;
+            return Ok(vec![]);
+        }
         let mut tubes = self.tubes()?;
         tubes.retain(|tube| !(self.sold && tube.is_cast || self.cast && !tube.is_cast));
         if tubes.is_empty() {
             let field = if self.sold { "sold" } else { "cast" };
-            return Err(Problem::usage(
-                format!("`{field}` leaves none of the tubes that are named"),
-                "",
-            )
-            .in_field(field));
+            let why = format!("`{field}` leaves none of the tubes that are named");
+            return Err(Problem::usage(why, "").in_field(field));
         }
         Ok(tubes)
     }
@@ -322,21 +260,19 @@ impl DesignRequest {
             let named: Result<Vec<Vec<TubePart>>, _> = self.tubes.iter().map(of_name).collect();
             return Ok(named.map_err(|e| unread(e).in_field("tubes"))?.concat());
         }
-        let wanted = rubbers
+        let wanted: Vec<Rubber> = rubbers
             .iter()
-            .map(|name| Ok(rubber(name)?.name))
-            .collect::<Result<Vec<_>>>()?;
-        let mut found: Vec<TubePart> = all
-            .iter()
-            .filter(|t| !t.is_cast && (self.rubbers.is_empty() || wanted.contains(&t.rubber.name)))
-            .cloned()
-            .collect();
-        if of_user.is_none() {
+            .map(|name| rubber(name))
+            .collect::<Result<_>>()?;
+        let is_wanted = |tube: &&TubePart| {
+            let is_of = |rubber: &Rubber| rubber.name == tube.rubber.name;
+            !tube.is_cast && (self.rubbers.is_empty() || wanted.iter().any(is_of))
+        };
+        let mut found = Vec::from_iter(all.iter().filter(is_wanted).cloned());
+        for (name, rubber) in rubbers.iter().zip(&wanted) {
             // A stand-in for tubes as they are sold is no silicone that one casts.
-            for name in &rubbers {
-                if stiffness_factor(&rubber(name)?) <= 1.0 {
-                    found.extend(tubes::cast_of(name).map_err(unread)?);
-                }
+            if of_user.is_none() && stiffness_factor(rubber) <= 1.0 {
+                found.extend(tubes::cast_of(name).map_err(unread)?);
             }
         }
         if found.is_empty() {
@@ -361,12 +297,8 @@ impl DesignRequest {
             return entries.iter().map(on_least).collect();
         }
         if self.braids.is_empty() {
-            let own = base.braid().sleeve.is_some() && self.angle_deg.is_none();
-            return Ok(if own {
-                vec![base.braid().clone()]
-            } else {
-                vec![]
-            });
+            let own = Some(base.braid()).filter(|braid| braid.sleeve.is_some());
+            return Ok(own.into_iter().cloned().collect());
         }
         let braid = |name: &String| {
             if let Cow::Owned(of_user) = &entries
@@ -380,191 +312,171 @@ impl DesignRequest {
                 strand_diameter_mm: self.strand_diameter_mm,
                 ..MuscleFields::default()
             };
-            self.strand_modulus_mpa
-                .into_iter()
-                .for_each(|value| fields.measures.set(&STRAND_MODULUS, value.0));
+            if let Some(modulus) = self.strand_modulus_mpa {
+                fields.measures.set(&STRAND_MODULUS, modulus.0);
+            }
             // Laid on any tube that it fits; the search lays it on others.
             fields.braid_on(sleeve(name)?.diameters().0, base)
         };
         self.braids.iter().map(braid).collect()
     }
 
-    /// The muscle around the search, what it must do, and the radii of a joint's pulley.
-    fn demand(&self) -> Result<(Muscle, Demand, Option<Values>)> {
+    /// The muscle around the search, and what it must do. A stroke in mm sets the length where
+    /// contractions are given, and the contraction where they are not.
+    fn demand(&self) -> Result<(Muscle, Demand)> {
         if !self.torques.is_empty() {
-            let (base, joint, radius) = self.joint()?;
-            return Ok((base, Demand::Joint(joint), Some(radius)));
+            return self.joint();
         }
-        if self.load.load.is_some() {
-            // The load sets the pull; a stroke or a contraction how far it is lifted.
-            let way = match (self.contraction, self.stroke_mm) {
-                (Some(e), _) => Lift::Contraction(ratio(e.0)?),
-                (None, Some(stroke)) => Lift::Stroke(stroke.0),
-                (None, None) => {
-                    return Err(Problem::missing(
+        let mut points = self.points_or_load()?;
+        let mut base = self.base()?;
+        let stroke_mm = self
+            .stroke_mm
+            .map(|mm| above_zero(ProblemKind::Specification, "stroke_mm", mm))
+            .transpose()?;
+        if let Some(stroke_mm) = stroke_mm {
+            if self.contraction.is_some() || !self.points.is_empty() {
+                let length_mm = self.length_of(stroke_mm, &points, &base)?;
+                base = base.with_tube(Tube {
+                    length_mm,
+                    ..base.tube().clone()
+                })?;
+            } else {
+                for q in &mut points {
+                    q.contraction = q.force_n.signum() * stroke_mm / base.length_mm();
+                }
+            }
+        }
+        // The load sets the pull; a stroke or a contraction how far it is lifted.
+        let load = match (self.load.resolve(base.length_mm())?, self.force_n) {
+            (None, Some(Force(force_n))) if self.length_is_searched() => {
+                Some(Load::Force { force_n })
+            }
+            (load, _) => load,
+        };
+        let demand = match (load, self.contraction, stroke_mm) {
+            (Some(load), Some(Ratio(contraction)), _) => Demand::Contraction { load, contraction },
+            (Some(load), None, Some(stroke_mm)) => Demand::Stroke { load, stroke_mm },
+            _ => Demand::Points { points },
+        };
+        Ok((base, demand))
+    }
+
+    /// The torques, and the radii of the pulley.
+    fn joint(&self) -> Result<(Muscle, Demand)> {
+        let torques = self.torques.clone();
+        for t in &torques {
+            finite("torques", t.torque_nm)?;
+            finite("torques", t.angle_deg)?;
+        }
+        let farthest_deg = peak(torques.iter().map(|t| t.angle_deg.abs()));
+        let largest_deg = self.largest_angle_deg.map_or(farthest_deg, f64::from);
+        let largest_angle_deg = finite("largest_angle_deg", largest_deg)?;
+        let base = self.base()?;
+        let radii_mm = match values(&self.radius_mm, "radius_mm")? {
+            Some(radii_mm) => radii_mm,
+            None => {
+                let lengths = values(&self.length_mm, "length_mm")?;
+                let longest_mm = lengths.map_or(base.length_mm(), |mm| mm.bounds().1);
+                let turn = peak(torques.iter().map(|t| t.angle_deg)) + largest_angle_deg;
+                let most = LARGEST_CONTRACTION * longest_mm / turn.max(1.0).to_radians();
+                Values::Interval(SMALLEST_RADIUS * most, most)
+            }
+        };
+        let joint = JointDemand {
+            torques,
+            largest_angle_deg,
+            radii_mm,
+            // Who gives a radius knows where the muscles lie.
+            beside: self.radius_mm.is_none(),
+        };
+        Ok((base, Demand::Joint(joint)))
+    }
+
+    /// The operating points, of a load that of 1 N in its place; without a contraction where a
+    /// stroke is to set it.
+    fn points_or_load(&self) -> Result<Vec<OperatingPoint>> {
+        for q in &self.points {
+            ratio(q.contraction).map_err(|problem| problem.in_field("points"))?;
+        }
+        if !self.points.is_empty() {
+            return Ok(self.points.clone());
+        }
+        let is_load = self.load.load.is_some();
+        let force_n = match is_load {
+            true => 1.0,
+            false => {
+                given("force_n", self.force_n, "a force, such as 300 N").map_err(|problem| {
+                    problem.with_hint("or give what it lifts (`load`), or turns (`torques`)")
+                })?
+            }
+        };
+        let contraction = match (self.contraction, self.stroke_mm) {
+            (Some(e), _) => ratio(e.0)?,
+            (None, Some(_)) => 0.0,
+            (None, None) => {
+                let (field, expected, other) = match is_load {
+                    true => (
                         "stroke_mm",
                         "the lift of the load, such as 40 mm",
-                    )
-                    .with_hint("or give `contraction`, such as 0.15 (15 %)"));
-                }
-            };
-            let (base, _) = self.with_stroke(vec![(1.0, self.contraction.map(f64::from))])?;
-            let load = self
-                .load
-                .resolve(base.length_mm())?
-                .ok_or_else(|| Problem::missing("load", "a load, such as 20 kg"))?;
-            return Ok((base, Demand::Load { load, way }, None));
-        }
-        let (base, points) = self.with_stroke(self.wanted()?)?;
-        if let (Some(stroke), Some(force_n)) = (self.stroke_mm, self.force_n)
-            && self.length_is_searched()
-        {
-            return Ok((
-                base,
-                Demand::Load {
-                    load: Load::Force { force_n: force_n.0 },
-                    way: Lift::Stroke(stroke.0),
-                },
-                None,
-            ));
-        }
-        Ok((base, points.into(), None))
-    }
-
-    /// The muscle around the search, the torques, and the radii of the pulley.
-    fn joint(&self) -> Result<(Muscle, JointDemand, Values)> {
-        let torques = self.torques.clone();
-        torques
-            .iter()
-            .flat_map(|t| [t.torque_nm, t.angle_deg])
-            .try_for_each(|v| finite("torques", v).map(drop))?;
-        let largest_angle_deg = finite(
-            "largest_angle_deg",
-            self.largest_angle_deg
-                .unwrap_or(Angle(peak(torques.iter().map(|t| t.angle_deg.abs())))),
-        )?;
-        let (base, _) = self.with_stroke(vec![])?;
-        let radius = if let Some(choice) = &self.radius_mm {
-            values(choice, "radius_mm")?
-        } else {
-            let longest = match &self.length_mm {
-                Some(choice) => values(choice, "length_mm")?.bounds().1,
-                None => base.length_mm(),
-            };
-            let turn = peak(torques.iter().map(|t| t.angle_deg)) + largest_angle_deg;
-            let most = LARGEST_CONTRACTION * longest / turn.max(1.0).to_radians();
-            Values::Interval(SMALLEST_RADIUS * most, most)
-        };
-        Ok((
-            base,
-            JointDemand {
-                torques,
-                largest_angle_deg,
-                radius_mm: radius.bounds().1,
-                // Who gives a radius knows where the muscles lie.
-                beside: self.radius_mm.is_none(),
-            },
-            radius,
-        ))
-    }
-
-    /// The operating points; without a contraction where a stroke is to set it.
-    fn wanted(&self) -> Result<Vec<(f64, Option<f64>)>> {
-        if !self.points.is_empty() {
-            return self
-                .points
-                .iter()
-                .map(|w| {
-                    let contraction =
-                        ratio(w.contraction).map_err(|problem| problem.in_field("points"))?;
-                    Ok((w.force_n, Some(contraction)))
-                })
-                .collect();
-        }
-        let force_n =
-            given("force_n", self.force_n, "a force, such as 300 N").map_err(|problem| {
-                problem.with_hint("or give what it lifts (`load`), or turns (`torques`)")
-            })?;
-        match (self.contraction, self.stroke_mm) {
-            (Some(e), _) => Ok(vec![(force_n, Some(ratio(e.0)?))]),
-            (None, Some(_)) => Ok(vec![(force_n, None)]),
-            (None, None) => Err(
-                Problem::missing("contraction", "a ratio such as 0.15 (15 %)")
-                    .with_hint("or give `stroke_mm`, such as 40 mm"),
-            ),
-        }
-    }
-
-    /// The muscle around the search, and the points: a stroke in mm sets the length where
-    /// contractions are given, and the contraction where they are not.
-    fn with_stroke(
-        &self,
-        wanted: Vec<(f64, Option<f64>)>,
-    ) -> Result<(Muscle, Vec<OperatingPoint>)> {
-        let wrong =
-            |message: String, hint: &str| Problem::new(ProblemKind::Specification, message, hint);
-        let length_mm = match &self.length_mm {
-            Some(Choice::One(length)) => Some(length.0),
-            Some(_) if self.stroke_mm.is_some() && !self.length_is_searched() => {
-                return Err(wrong(
-                    "`stroke_mm` and a contraction set the length: give one of the three less"
-                        .into(),
-                    "",
-                )
-                .in_field("length_mm"));
+                        "or give `contraction`, such as 0.15 (15 %)",
+                    ),
+                    false => (
+                        "contraction",
+                        "a ratio such as 0.15 (15 %)",
+                        "or give `stroke_mm`, such as 40 mm",
+                    ),
+                };
+                return Err(Problem::missing(field, expected).with_hint(other));
             }
-            _ => None,
         };
+        Ok(vec![OperatingPoint {
+            force_n,
+            contraction,
+        }])
+    }
+
+    /// The muscle around the search.
+    fn base(&self) -> Result<Muscle> {
         let mut fields = MuscleFields {
             file: self.file().cloned(),
             stiffness: self.stiffness,
             with: self.with.clone(),
             ..MuscleFields::default()
         };
-        length_mm
-            .into_iter()
-            .for_each(|length| fields.measures.set(&LENGTH, length));
-        let base = fields.resolve_for(&self.model.choose()?)?;
-        let length = base.length_mm();
-        let stroke = self.stroke_mm.map(f64::from);
-        stroke
-            .map(|mm| above_zero(ProblemKind::Specification, "stroke_mm", mm))
-            .transpose()?;
-        let point = |(force_n, contraction): &(f64, Option<f64>)| {
-            let way = force_n.signum();
-            OperatingPoint {
-                force_n: *force_n,
-                contraction: contraction
-                    .or(stroke.map(|s| way * s / length))
-                    .unwrap_or_default(),
+        match &self.length_mm {
+            Some(Choice::One(length)) => fields.measures.set(&LENGTH, length.0),
+            Some(_) if self.stroke_mm.is_some() && !self.length_is_searched() => {
+                let why =
+                    "`stroke_mm` and a contraction set the length: give one of the three less";
+                let problem = ProblemKind::Specification.problem(why);
+                return Err(problem.in_field("length_mm"));
             }
-        };
-        let points = Vec::from_iter(wanted.iter().map(point));
-        let (Some(stroke), true) = (stroke, wanted.iter().all(|w| w.1.is_some())) else {
-            return Ok((base, points));
-        };
+            _ => {}
+        }
+        fields.resolve_for(&self.model.choose()?)
+    }
+
+    /// The length in mm that a stroke and the largest contraction set.
+    fn length_of(&self, stroke_mm: f64, points: &[OperatingPoint], base: &Muscle) -> Result<f64> {
         let largest = peak(points.iter().map(|q| q.contraction.abs()));
         if self.length_mm.is_some() {
+            let length = base.length_mm();
             let have = largest * length;
-            return Err(wrong(
+            return Err(Problem::new(
+                ProblemKind::Specification,
                 format!(
-                    "{stroke}\u{a0}mm, `length_mm` {length}\u{a0}mm and a contraction are too many \
-                 data: with that length the largest contraction gives {have:.2}\u{a0}mm"
+                    "{stroke_mm}\u{a0}mm, `length_mm` {length}\u{a0}mm and a contraction are too \
+                     many data: with that length the largest contraction gives {have:.2}\u{a0}mm"
                 ),
                 "leave out `stroke_mm`, `length_mm` or the contraction",
             )
             .in_field("stroke_mm"));
         }
         if largest <= 0.0 {
-            return Err(wrong("a stroke needs a contraction above zero".into(), ""));
+            let why = "a stroke needs a contraction above zero";
+            return Err(ProblemKind::Specification.problem(why));
         }
-        Ok((
-            base.with_tube(Tube {
-                length_mm: stroke / largest,
-                ..base.tube().clone()
-            })?,
-            points,
-        ))
+        Ok(stroke_mm / largest)
     }
 }
 
@@ -583,28 +495,23 @@ fn products() -> Vec<Product> {
 }
 
 /// The values of a choice, checked.
-fn values<Q: Quantity>(choice: &Choice<Q>, field: &str) -> Result<Values> {
-    Ok(match choice {
-        Choice::One(value) => Values::List(vec![finite(field, *value)?]),
-        Choice::Several(list) if list.is_empty() => {
-            return Err(ProblemKind::Range
-                .problem("the list is empty")
-                .in_field(field));
-        }
-        Choice::Several(list) => Values::List(
-            list.iter()
-                .map(|&value| finite(field, value))
-                .collect::<Result<_>>()?,
-        ),
-        Choice::Between { low, high } => {
-            let low = finite(field, *low)?;
-            let high = finite(field, *high)?;
+fn values<Q: Quantity>(choice: &Option<Choice<Q>>, field: &str) -> Result<Option<Values>> {
+    let wrong = |why: String| Err(ProblemKind::Range.problem(why).in_field(field));
+    let list = match choice {
+        None => return Ok(None),
+        Some(Choice::One(value)) => std::slice::from_ref(value),
+        Some(Choice::Several(list)) if list.is_empty() => return wrong("the list is empty".into()),
+        Some(Choice::Several(list)) => list,
+        Some(Choice::Between { low, high }) => {
+            let [low, high] = [finite(field, *low)?, finite(field, *high)?];
             if low > high {
-                return Err(ProblemKind::Range.problem(format!(
+                return wrong(format!(
                     "the interval from {low} to {high} is reversed: write the smaller value first"
-                )).in_field(field));
+                ));
             }
-            Values::Interval(low, high)
+            return Ok(Some(Values::Interval(low, high)));
         }
-    })
+    };
+    let list = list.iter().map(|&value| finite(field, value));
+    Ok(Some(Values::List(list.collect::<Result<_>>()?)))
 }

@@ -10,7 +10,7 @@ use mckibben_core::{
     units::Values,
 };
 use mckibben_design::{
-    Candidate, ChoiceKind, Demand, Lift, Models, Outcome, Spec, bundle::envelope_ratio, design_with,
+    Candidate, ChoiceKind, Demand, Models, Outcome, Spec, bundle::envelope_ratio, design_with,
 };
 use rayon::prelude::*;
 
@@ -158,10 +158,7 @@ fn no_length_gives_a_much_smaller_muscle_than_the_one_that_is_chosen() {
             force_n: r.log(20.0, 800.0),
         };
         let spec = Spec {
-            wanted: Demand::Load {
-                load,
-                way: Lift::Stroke(stroke_mm),
-            },
+            wanted: Demand::Stroke { load, stroke_mm },
             length_mm: Some(Values::Interval(lengths.0, lengths.1)),
             least_slenderness: 4.0,
             most_side_by_side: 1,

@@ -1,7 +1,7 @@
 //! Demands: pulls at contractions.
 
-use mckibben_core::load::Load;
-use mckibben_design::{Demand, JointDemand, Lift, OperatingPoint, SpecError, TorqueWanted};
+use mckibben_core::{load::Load, units::Values};
+use mckibben_design::{Demand, JointDemand, OperatingPoint, SpecError, TorqueWanted};
 
 /// F = τ/r and ε = r (φm + φ)/L0 by hand: 8 N m at 45° on 25 mm, 60° to either side, 250 mm.
 #[test]
@@ -18,11 +18,11 @@ fn a_joint_asks_for_pulls_at_contractions() {
             },
         ],
         largest_angle_deg: 60.0,
-        radius_mm: 25.0,
+        radii_mm: Values::List(vec![25.0]),
         beside: false,
     };
     let demand = Demand::Joint(joint);
-    let points = demand.points(250.0);
+    let points = demand.points(250.0, 25.0);
     assert!((points[0].force_n - 320.0).abs() < 1e-12 && (points[1].force_n - 120.0).abs() < 1e-12);
     assert!((points[0].contraction - 25.0 * 105f64.to_radians() / 250.0).abs() < 1e-15);
     assert!(points[1].contraction.abs() < 1e-15);
@@ -31,14 +31,18 @@ fn a_joint_asks_for_pulls_at_contractions() {
 
 #[test]
 fn a_load_that_falls_is_looked_at_all_along_the_way() {
-    let way = Lift::Stroke(40.0);
+    let lifted = |load| {
+        let demand = Demand::Stroke {
+            load,
+            stroke_mm: 40.0,
+        };
+        demand.points(285.0, 0.0)
+    };
     let spring = Load::Spring {
         rate_n_per_mm: 5.0,
         preload_n: 50.0,
     };
-    let points = Demand::Load { load: spring, way }
-        .points(285.0)
-        .into_owned();
+    let points = lifted(spring);
     assert_eq!(
         points,
         [OperatingPoint {
@@ -50,9 +54,7 @@ fn a_load_that_falls_is_looked_at_all_along_the_way() {
         rate_n_per_mm: -2.0,
         preload_n: 100.0,
     };
-    let points = Demand::Load { load: falling, way }
-        .points(285.0)
-        .into_owned();
+    let points = lifted(falling);
     let forces: Vec<f64> = points.iter().map(|q| q.force_n).collect();
     assert_eq!(forces, [100.0, 80.0, 60.0, 40.0, 20.0]);
 }
@@ -60,20 +62,20 @@ fn a_load_that_falls_is_looked_at_all_along_the_way() {
 /// By hand: a seventh of 700 N, of 7 kg, and of 14 N m.
 #[test]
 fn a_share_of_a_demand_is_that_share_of_its_pulls() {
-    let seventh = |demand: Demand| demand.times(1.0 / 7.0).points(250.0)[0].force_n;
+    let seventh = |demand: Demand| demand.scaled(1.0 / 7.0, 1.0).points(250.0, 20.0)[0].force_n;
     let points = vec![OperatingPoint {
         force_n: 700.0,
         contraction: 0.1,
     }];
-    assert!((seventh(points.into()) - 100.0).abs() < 1e-12);
+    assert!((seventh(Demand::Points { points }) - 100.0).abs() < 1e-12);
     let load = Load::Mass {
         mass_kg: 7.0,
         level: false,
     };
     assert!(
-        (seventh(Demand::Load {
+        (seventh(Demand::Stroke {
             load,
-            way: Lift::Stroke(20.0)
+            stroke_mm: 20.0
         }) - 9.80665)
             .abs()
             < 1e-9
@@ -85,7 +87,7 @@ fn a_share_of_a_demand_is_that_share_of_its_pulls() {
     let joint = JointDemand {
         torques,
         largest_angle_deg: 30.0,
-        radius_mm: 20.0,
+        radii_mm: Values::List(vec![20.0]),
         beside: false,
     };
     assert!((seventh(Demand::Joint(joint)) - 100.0).abs() < 1e-12);
@@ -101,7 +103,7 @@ fn what_makes_no_sense_is_refused() {
         Demand::Joint(JointDemand {
             torques,
             largest_angle_deg: most,
-            radius_mm: radius,
+            radii_mm: Values::List(vec![radius]),
             beside: false,
         })
         .check(250.0)
@@ -127,9 +129,9 @@ fn what_makes_no_sense_is_refused() {
         mass_kg: 3.0,
         level: true,
     };
-    let nothing = Demand::Load {
+    let nothing = Demand::Stroke {
         load: level,
-        way: Lift::Stroke(10.0),
+        stroke_mm: 10.0,
     };
     assert_eq!(
         nothing.check(285.0),

@@ -9,7 +9,7 @@ use mckibben_core::{
     units::Values,
 };
 use mckibben_design::{
-    BraidChoice, Build, CERTAINTY, Check, Demand, JointDemand, Lift, Limit, Limits, Objective,
+    BraidChoice, Build, CERTAINTY, Check, Demand, JointDemand, Limit, Limits, Objective,
     OperatingPoint, Relaxation, SAFETY, SUPPLY_SHARE, Spec, SpecError, TorqueWanted,
     VALIDATED_STRAND_STRAIN, design, normal_deviations,
 };
@@ -267,12 +267,12 @@ fn every_change_makes_a_muscle_fit_and_none_is_larger_than_it_has_to_be() {
     narrow.limits.bulged_diameter_mm = Some(50.0);
     let mut stiff = lists(spec(100.0, 0.15));
     stiff.limits.stretch = Some(1.05);
-    let load = Demand::Load {
+    let load = Demand::Stroke {
         load: Load::Mass {
             mass_kg: 120.0,
             level: false,
         },
-        way: Lift::Stroke(57.0),
+        stroke_mm: 57.0,
     };
     let specs = [
         lists(spec(1200.0, 0.2)),
@@ -303,7 +303,7 @@ fn every_change_makes_a_muscle_fit_and_none_is_larger_than_it_has_to_be() {
                     changed.max_pressure_mpa = towards(*pressure_mpa, spec.max_pressure_mpa);
                 }
                 Relaxation::Force { share, .. } => {
-                    changed.wanted = spec.wanted.times(towards(*share, 1.0))
+                    changed.wanted = spec.wanted.scaled(towards(*share, 1.0), 1.0)
                 }
                 Relaxation::MinBurstMargin { burst_margin } => {
                     changed.limits.burst_margin = Some(towards(*burst_margin, SAFETY));
@@ -420,14 +420,13 @@ fn a_joint_that_was_designed_has_its_torques_and_no_radius_has_a_smaller_muscle(
         angle_deg,
     };
     let torques = [(8.0, 45.0), (3.0, 60.0)].map(torque).to_vec();
-    let joint = JointDemand {
+    let joint = |radii_mm: Values| JointDemand {
         torques: torques.clone(),
         largest_angle_deg: 60.0,
-        radius_mm: 20.0,
+        radii_mm,
         beside: false,
     };
     let spec = Spec {
-        wanted: Demand::Joint(joint),
         max_pressure_mpa: 0.6,
         limits: Limits {
             bulged_diameter_mm: Some(50.0),
@@ -437,7 +436,7 @@ fn a_joint_that_was_designed_has_its_torques_and_no_radius_has_a_smaller_muscle(
     };
     let on_radii = |radii: Values| {
         let spec = Spec {
-            radius_mm: Some(radii),
+            wanted: Demand::Joint(joint(radii)),
             ..spec.clone()
         };
         design(&spec, BUILD).unwrap()

@@ -131,7 +131,7 @@ fn meets(spec: &Spec, muscle: &Muscle) -> bool {
     };
     let w = &mut Workspace::new();
     let highest_mpa = 0.95 * spec.max_pressure_mpa;
-    spec.wanted.points(muscle.length_mm()).iter().all(|q| {
+    spec.wanted.points(muscle.length_mm(), 0.0).iter().all(|q| {
         let mut model = Evaluation::new(model.as_ref(), w, options);
         let Ok(p) = model.pressure_at(q.force_n, q.contraction) else {
             return false;

@@ -7,7 +7,7 @@ use mckibben_core::{
     units::Values,
 };
 use mckibben_design::{
-    BraidChoice, Build, Limit, Limits, OperatingPoint, Relaxation, Spec, SpecError, design,
+    BraidChoice, Build, Demand, Limit, Limits, OperatingPoint, Relaxation, Spec, SpecError, design,
 };
 
 const BUILD: &Build<'_> = &|muscle| Ok(Box::new(ThickWall::between_ends(muscle)));
@@ -115,13 +115,14 @@ fn a_push_that_is_certain_leaves_its_half_width() {
 #[test]
 fn a_pull_and_a_push_at_once_and_strands_of_the_wrong_angle_are_refused() {
     let mixed = Spec {
-        wanted: [(-30.0, -0.1), (30.0, 0.1)]
-            .map(|(force_n, contraction)| OperatingPoint {
-                force_n,
-                contraction,
-            })
-            .to_vec()
-            .into(),
+        wanted: Demand::Points {
+            points: [(-30.0, -0.1), (30.0, 0.1)]
+                .map(|(force_n, contraction)| OperatingPoint {
+                    force_n,
+                    contraction,
+                })
+                .to_vec(),
+        },
         ..spec(-30.0, -0.1, Limits::default())
     };
     assert!(matches!(design(&mixed, BUILD), Err(SpecError::Refused(_))));

@@ -24,7 +24,7 @@ fn on(spec: &Spec, radius_mm: f64) -> Spec {
         panic!()
     };
     let joint = JointDemand {
-        radius_mm,
+        radii_mm: Values::List(vec![radius_mm]),
         ..joint.clone()
     };
     Spec {
@@ -48,7 +48,7 @@ fn job(seed: u64) -> Spec {
         wanted: Demand::Joint(JointDemand {
             torques: torques.map(torque).to_vec(),
             largest_angle_deg: farther_deg,
-            radius_mm: RADII_MM.1,
+            radii_mm: Values::Interval(RADII_MM.0, RADII_MM.1),
             beside: true,
         }),
         length_mm: Some(Values::List(vec![r.log(200.0, 350.0)])),
@@ -69,11 +69,7 @@ fn no_radius_has_a_smaller_pair() {
     };
     let one = |seed: &u64| {
         let spec = job(*seed);
-        let free = Spec {
-            radius_mm: Some(Values::Interval(RADII_MM.0, RADII_MM.1)),
-            ..spec.clone()
-        };
-        let outcome = design_with(&free, models, &Silent).unwrap();
+        let outcome = design_with(&spec, models, &Silent).unwrap();
         let steps = ((RADII_MM.1 - RADII_MM.0) / STEP_MM) as usize;
         let all = (0..=steps).flat_map(|i| {
             let spec = on(&spec, RADII_MM.0 + STEP_MM * i as f64);
