@@ -9,7 +9,6 @@ use super::{
 use crate::{PressureLimits, UncertaintyWords, number, percent, words::within};
 use mckibben_build::relief_mpa;
 use mckibben_core::{
-    analysis::RELIEF,
     joined,
     muscle::Direction,
     units::{Dimension, rounded, tidy},
@@ -253,25 +252,33 @@ fn pressures_to_set(first: &Candidate) -> String {
             "; nine of ten end between {low} and {high}: hang the load, raise it until it lifts"
         )
     });
-    let allowed_mpa = PressureLimits::from(&first.burst).allowed_pressure_mpa;
-    let relief = show_mpa(relief_mpa(
-        set_mpa.max(first.pressure_high_mpa.unwrap_or_default()),
-        allowed_mpa.unwrap_or(f64::INFINITY),
-    ));
     format!(
-        "Set {set} to begin with{}; relief valve at {relief}",
-        ends.unwrap_or_default()
+        "Set {set} to begin with{}; relief valve at {}",
+        ends.unwrap_or_default(),
+        relief(first)
     )
 }
 
-/// The limit in use, and apart from it the proof test.
+/// The highest pressure to set: 19 of 20 that do the job need less.
+fn used_mpa(first: &Candidate) -> f64 {
+    first
+        .pressure_high_mpa
+        .unwrap_or_default()
+        .max(first.pressure_mpa)
+}
+
+/// Where the relief valve opens.
+fn relief(first: &Candidate) -> String {
+    let allowed_mpa = PressureLimits::from(&first.burst).allowed_pressure_mpa;
+    let relief_mpa = relief_mpa(used_mpa(first), allowed_mpa.unwrap_or(f64::INFINITY));
+    plain(Dimension::Pressure, relief_mpa)
+}
+
+/// The limit in use, where the relief valve opens, and apart from it the proof test.
 fn never_above(first: &Candidate) -> String {
-    let limits = PressureLimits::from(&first.burst);
-    let allowed_mpa = limits.allowed_pressure_mpa.unwrap_or(f64::INFINITY);
-    let most_mpa = allowed_mpa.min(RELIEF * first.highest_pressure_mpa);
-    let most = plain(Dimension::Pressure, rounded(most_mpa, 4, f64::floor));
     let below = first
         .below
+        .filter(|_| used_mpa(first) >= first.highest_pressure_mpa)
         .map(|below| format!(": {}", why_no_more(&below, &show)));
     let test = match first.proof_pressure_mpa {
         Some(proof_mpa) => {
@@ -280,12 +287,13 @@ fn never_above(first: &Candidate) -> String {
         }
         None => "No proof test fits above it".into(),
     };
-    let ends = match limits.ends_included {
-        true => "",
-        false => ". What its ends hold is not included",
+    let ends = if PressureLimits::from(&first.burst).ends_included {
+        ""
+    } else {
+        ". What its ends hold is not included"
     };
     let below = below.unwrap_or_default();
-    format!("Never above {most} in use{below}. {test}{ends}")
+    format!("Never above {} in use{below}. {test}{ends}", relief(first))
 }
 
 /// What has least to spare, and what is next.

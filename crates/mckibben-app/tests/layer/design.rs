@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 /// The pressure behind words of the decision, in MPa.
 fn behind(line: &str, words: &str) -> f64 {
     let (_, rest) = line.split_once(words).unwrap_or_else(|| panic!("{line}"));
-    let number = rest.split('\u{a0}').next().unwrap();
+    let number = rest.split(char::is_whitespace).next().unwrap();
     number.parse().unwrap_or_else(|_| panic!("{line}"))
 }
 
@@ -59,6 +59,15 @@ fn what_is_set_has_room_for_the_valves_and_what_is_estimated_is_tested_first() {
         let built = reply(
             "build",
             json!({"muscle": {"file": answer["muscle_files"][0]}}),
+        );
+        // One limit in use: of the decision, of its relief valve, and of the folder.
+        let files = built["files"].as_array().unwrap().iter();
+        let readme = files.clone().find(|f| f["name"] == "README.md").unwrap();
+        let in_use_mpa = behind(readme["text"].as_str().unwrap(), "In use never above ");
+        assert_eq!(behind(never, "Never above "), relief_mpa, "{never}");
+        assert!(
+            (in_use_mpa - relief_mpa).abs() <= 2e-3 * relief_mpa,
+            "{in_use_mpa}"
         );
         let of = |key: &str| [&built, best].map(|from| number(from, key));
         let [built_mpa, told_mpa] = of("proof_pressure_mpa");
