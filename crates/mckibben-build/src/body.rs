@@ -3,9 +3,9 @@
 use std::f64::consts::{FRAC_PI_4, SQRT_2, TAU};
 
 pub type Point = [f64; 3];
-pub const X: Point = [1.0, 0.0, 0.0];
-pub const Y: Point = [0.0, 1.0, 0.0];
 pub const Z: Point = [0.0, 0.0, 1.0];
+pub const X: Point = across(Z);
+pub const Y: Point = across(X);
 /// Corners of a circle as it is drawn and printed.
 pub const FACETS: usize = 96;
 
@@ -22,7 +22,7 @@ pub fn cross(a: Point, b: Point) -> Point {
 }
 
 /// A direction across that of an axis: Y across X, Z across Y, X across Z.
-pub fn across([x, y, z]: Point) -> Point {
+pub const fn across([x, y, z]: Point) -> Point {
     [z, x, y]
 }
 

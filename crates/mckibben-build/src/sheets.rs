@@ -122,7 +122,7 @@ fn end(plan: &Plan, plug: &Plug, v: &mut View) {
     let row = 0.5 * v.scale * plug.widest_mm() + 6.0;
     v.across((-half, half), (half, half), row, &text);
     if let Some(collar) = plug.collar_mm {
-        v.circle(Outline, collar);
+        v.sheet.circle(Outline, v.origin, 0.5 * collar * v.scale);
         let text = format!("⌀{}", plan.shown.bare(collar));
         v.across((-0.5 * collar, 0.5 * collar), (0.0, 0.0), row + 7.0, &text);
     }

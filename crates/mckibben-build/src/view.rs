@@ -55,11 +55,6 @@ impl View {
         );
     }
 
-    pub fn circle(&mut self, pen: Pen, diameter: f64) {
-        self.sheet
-            .circle(pen, self.origin, 0.5 * diameter * self.scale);
-    }
-
     /// A plug in section, whose free length ends at `datum` of the body, with its head away from the
     /// middle.
     pub fn plug(&mut self, plug: &Plug, datum: f64, side: f64) {
@@ -117,8 +112,8 @@ impl View {
     pub fn hatch(&mut self, loops: &[Vec<[f64; 2]>], rising: bool) {
         let edges: Vec<[[f64; 2]; 2]> = loops
             .iter()
-            .flat_map(|l| (0..l.len()).map(move |i| [l[i], l[(i + 1) % l.len()]]))
-            .map(|edge| edge.map(|[x, y]| self.on_sheet(x, y)))
+            .flat_map(|l| l.iter().zip(l.iter().cycle().skip(1)))
+            .map(|(a, b)| [*a, *b].map(|[x, y]| self.on_sheet(x, y)))
             .collect();
         let sign = if rising { 1.0 } else { -1.0 };
         // Lines y − sign x = c.

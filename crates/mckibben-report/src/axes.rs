@@ -75,14 +75,8 @@ pub fn extents(panel: &Panel) -> Extents {
     (ticks::extent(points(true).map(|p| p.0)), y.or(all))
 }
 
-/// Room kept on the four sides of a plot.
-#[derive(Clone, Copy)]
-struct Gutters {
-    left: f64,
-    right: f64,
-    top: f64,
-    bottom: f64,
-}
+/// Room kept to the left and right of a plot, above and below it.
+type Gutters = [f64; 4];
 
 /// The drawn parts of a plot.
 fn room_of(panel: &Panel, axes: &Axes) -> Room {
@@ -121,7 +115,7 @@ impl<'a> Grid<'a, '_> {
             .collect::<Result<_, _>>()?;
         all.iter_mut()
             .zip(&below)
-            .for_each(|(gutters, room)| gutters.bottom += room);
+            .for_each(|(gutters, room)| gutters[3] += room);
         each.map(|i| self.place_one(i, self.aligned(&all, i), below[i]))
             .collect()
     }
@@ -150,15 +144,15 @@ impl<'a> Grid<'a, '_> {
         }
     }
 
-    fn axes(&self, i: usize, gutters: Gutters) -> Result<Axes> {
+    fn axes(&self, i: usize, [left, right, above, below]: Gutters) -> Result<Axes> {
         let panel = &self.panels[i];
         let cell = (self.cell)(i);
         let (x_data, y_data) = extents(panel);
         let plot = Rect {
-            x: cell.x + gutters.left,
-            y: cell.y + gutters.top,
-            w: (cell.w - gutters.left - gutters.right).max(1.0),
-            h: (cell.h - gutters.top - gutters.bottom).max(1.0),
+            x: cell.x + left,
+            y: cell.y + above,
+            w: (cell.w - left - right).max(1.0),
+            h: (cell.h - above - below).max(1.0),
         };
         let x = self.x_scale(panel, x_data, plot.w)?;
         let y = ticks::scale(
@@ -186,42 +180,32 @@ impl<'a> Grid<'a, '_> {
         } else {
             PANEL_TITLE + 5.0
         };
-        let mut gutters = Gutters {
-            left: 40.0,
-            right: 10.0,
-            top: 6.0 + title,
-            bottom: 40.0,
-        };
+        let mut gutters = [40.0, 10.0, 6.0 + title, 40.0];
         // twice: the scales depend on the room, the room on the texts of the scales
         for _ in 0..2 {
-            let axes = self.axes(i, gutters)?;
-            let last = axes
-                .frame
-                .x
-                .labels
-                .last()
-                .map_or(0.0, |l| self.metrics.width(l, TICK));
-            gutters.top = 6.0
-                + title
-                + if axes.frame.y.exponent == 0 {
-                    0.0
-                } else {
-                    TICK + 2.0
-                };
-            let widest = self.metrics.widest(&axes.frame.y.labels, TICK);
-            gutters.left = axes.y_label.len() as f64 * LABEL_ROW + widest + TICK_LENGTH + 8.0;
-            gutters.right = (last / 2.0 + 2.0).max(8.0);
-            let power_alone = if axes.frame.x.exponent != 0 && axes.x_label.is_empty() {
+            let Axes {
+                frame: Frame { x, y, .. },
+                x_label,
+                y_label,
+                ..
+            } = self.axes(i, gutters)?;
+            let last = x.labels.last().map_or(0.0, |l| self.metrics.width(l, TICK));
+            let power_above = if y.exponent == 0 { 0.0 } else { TICK + 2.0 };
+            let power_alone = if x.exponent != 0 && x_label.is_empty() {
                 LABEL_ROW
             } else {
                 0.0
             };
-            gutters.bottom =
-                TICK_LENGTH + TICK + 8.0 + axes.x_label.len() as f64 * LABEL_ROW + power_alone;
+            let widest = self.metrics.widest(&y.labels, TICK);
+            gutters = [
+                y_label.len() as f64 * LABEL_ROW + widest + TICK_LENGTH + 8.0,
+                (last / 2.0 + 2.0).max(8.0),
+                6.0 + title + power_above,
+                TICK_LENGTH + TICK + 8.0 + x_label.len() as f64 * LABEL_ROW + power_alone,
+            ];
         }
-        gutters.right = gutters
-            .right
-            .max(self.end_room(i, &self.axes(i, gutters)?.frame));
+        let axes = self.axes(i, gutters)?;
+        gutters[1] = gutters[1].max(self.end_room(i, &axes.frame));
         Ok(gutters)
     }
 
@@ -278,13 +262,9 @@ impl<'a> Grid<'a, '_> {
         let columns = self.columns;
         let mut gutters = all[i];
         for (j, other) in all.iter().enumerate() {
-            if j % columns == i % columns {
-                gutters.left = gutters.left.max(other.left);
-                gutters.right = gutters.right.max(other.right);
-            }
-            if j / columns == i / columns {
-                gutters.top = gutters.top.max(other.top);
-                gutters.bottom = gutters.bottom.max(other.bottom);
+            let is_aligned = [j % columns == i % columns, j / columns == i / columns];
+            for side in (0..4).filter(|side| is_aligned[side / 2]) {
+                gutters[side] = gutters[side].max(other[side]);
             }
         }
         gutters
