@@ -22,7 +22,7 @@ cp -r crates/mckibben/examples "$out/other/jobs"
 cp examples/bench.toml "$out/examples"
 {
     printf '[package]\nname = "jobs"\nedition = "2024"\n[dependencies]\n'
-    printf 'mckibben = { version = "%s", features = ["campaign", "export"] }\n' "$version"
+    printf 'mckibben = { version = "%s", features = ["export"] }\n' "$version"
 } >"$out/other/jobs/Cargo.toml"
 {
     printf '[workspace]\nresolver = "3"\nmembers = ["mckibben*", "other/jobs"]\n[patch.crates-io]\n'

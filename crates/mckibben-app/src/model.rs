@@ -89,7 +89,7 @@ impl MeshFields {
 
     /// Refuses a mesh that none of the models has.
     pub fn check_used(&self, models: &[&Model]) -> Result<()> {
-        let elements = models.iter().any(|m| matches!(m, Model::Elements(_)));
+        let elements = models.iter().any(|m| m.is_elements());
         let why = "only `model` fe and fe3d have a mesh";
         Problem::refuse_unused(&[("mesh", self.mesh.is_some() && !elements)], why)?;
         let bricks = |m: &&Model| matches!(m, Model::Elements(Elements::ThreeDimensional(_)));

@@ -3,7 +3,10 @@
 //!
 //! `cargo run --release -p mckibben-campaign --example 1_first_muscle`
 
-use mckibben_core::prelude::*;
+use mckibben_core::{
+    model::{ForceModel, Ideal, ThickWall, Workspace},
+    muscle::Muscle,
+};
 use mckibben_design::{OperatingPoint, Spec, design};
 use mckibben_fem::{
     axisymmetric::Axisymmetric,

@@ -2,7 +2,11 @@
 //!
 //! `cargo run --release -p mckibben-campaign --example 2_own_rubber`
 
-use mckibben_core::{muscle::Rubber, prelude::*};
+use mckibben_core::{
+    model::{ForceModel, ThickWall, Workspace},
+    muscle::{Muscle, Rubber},
+    rubber::RubberLaw,
+};
 use mckibben_fit::rubber::{FitSettings, fit_tension, read_tension};
 use std::error::Error;
 

@@ -7,7 +7,10 @@ use mckibben_campaign::{
     campaign::{Plan, RunOptions, read, run},
     fit::{FormulaRequest, MakeOfRows, Method, data, make},
 };
-use mckibben_core::{formula::Provenance, model::FormulaModel, prelude::*};
+use mckibben_core::{
+    formula::Provenance,
+    model::{ForceModel, FormulaModel, Workspace},
+};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use std::error::Error;
 

@@ -2,7 +2,10 @@
 //!
 //! `cargo run --release -p mckibben-campaign --example 4_identify`
 
-use mckibben_core::{muscle::file::parse_muscle, prelude::*};
+use mckibben_core::{
+    model::ForceModel,
+    muscle::{Muscle, file::parse_muscle},
+};
 use mckibben_fem::elements::Elements;
 use mckibben_fit::identify::{IdentificationRequest, Target, identify, read_data};
 use std::error::Error;

@@ -5,11 +5,9 @@
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
 pub mod campaign;
-#[doc(hidden)]
 pub mod columns;
 pub mod fit;
 mod hash;
 
 pub use columns::PointRow;
-#[doc(hidden)]
 pub use mckibben_core::hash::hex as sha256;

@@ -45,6 +45,7 @@ pub struct Answer {
     /// Half of the 95 % interval of what a muscle that is built will pull, N.
     pub uncertainty_n: Option<f64>,
     /// Its parts, each a 95 % half-width in N; they add as squares.
+    #[doc(hidden)]
     pub uncertainty_parts_n: Option<UncertaintyParts>,
     /// Of a pressure that was sought: the one at which a muscle that is built will pull this, by
     /// the median, MPa.

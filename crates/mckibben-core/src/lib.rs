@@ -9,7 +9,11 @@
 //! A first session: build a muscle and ask a model.
 //!
 //! ```
-//! use mckibben_core::prelude::*;
+//! use mckibben_core::{
+//!     analysis::{Evaluation, Options},
+//!     model::{ForceModel, ThickWall, Workspace},
+//!     muscle::Muscle,
+//! };
 //!
 //! // A tube of 40 mm with a wall of 2 mm; length, braid and rubber are those of the paper's prototype.
 //! let muscle = Muscle::prototype().with_section(40.0, 2.0)?;
@@ -37,40 +41,29 @@
 pub mod analysis;
 pub mod answer;
 pub mod built;
-#[doc(hidden)]
 pub mod by_number;
-#[doc(hidden)]
 pub mod catalogue;
 pub mod curve;
-#[doc(hidden)]
 pub mod differences;
-#[doc(hidden)]
 pub mod extremes;
 pub mod formula;
-#[doc(hidden)]
 pub mod hash;
 pub mod joint;
 pub mod liquid;
 pub mod load;
 pub mod model;
 pub mod muscle;
-pub mod prelude;
 pub mod progress;
-#[doc(hidden)]
 pub mod random;
 pub mod refused;
 pub mod rubber;
-#[doc(hidden)]
 pub mod size;
 pub mod sleeve;
 pub mod status;
-#[doc(hidden)]
 pub mod study;
-#[doc(hidden)]
 pub mod threads;
 pub mod warning;
 
-#[doc(hidden)]
 pub use mckibben_units::{self as units, cancel, clean, joined, nearest};
 
 /// The paper whose formula (11) is [`model::FormulaModel::paper`] and whose method makes formulas

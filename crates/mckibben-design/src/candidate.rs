@@ -108,7 +108,7 @@ pub(crate) const NINE_OF_TEN: [f64; 2] = [0.05, 0.95];
 
 impl Candidate {
     /// All that is known of a muscle that was held against its specification.
-    pub fn new(assessed: &mut Assessed<'_>, held: &Held) -> Result<Self, ModelError> {
+    pub(crate) fn new(assessed: &mut Assessed<'_>, held: &Held) -> Result<Self, ModelError> {
         let spec = assessed.spec;
         let wanted = held.points();
         assessed.keep_strands(&wanted)?;

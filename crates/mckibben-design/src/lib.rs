@@ -20,7 +20,7 @@
 //! The smallest muscle that pulls 700 N at 15 % with at most 0.25 MPa:
 //!
 //! ```
-//! use mckibben_core::prelude::*;
+//! use mckibben_core::model::ThickWall;
 //! use mckibben_design::{OperatingPoint, Spec, design};
 //!
 //! let wanted = OperatingPoint { force_n: 700.0, contraction: 0.15 };
@@ -33,7 +33,6 @@
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
 mod assess;
-#[doc(hidden)]
 pub mod bundle;
 mod candidate;
 mod demand;
@@ -45,7 +44,6 @@ mod models;
 mod relaxation;
 mod search;
 mod spec;
-#[doc(hidden)]
 pub mod tubes;
 
 pub use assess::{normal_deviations, normal_share};
@@ -62,5 +60,4 @@ pub use spec::{
     BraidChoice, CERTAINTY, Ends, EndsOf, LARGEST_BUNDLE, Objective, Product, SUPPLY_SHARE, Spec,
     SpecError,
 };
-#[doc(hidden)]
 pub use tubes::{TubeError, TubePart};

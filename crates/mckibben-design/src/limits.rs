@@ -122,7 +122,7 @@ pub enum Limit {
 
 impl Limit {
     /// Its entry; `None` for the pull, which is what is wanted.
-    pub fn entry(self) -> Option<&'static LimitEntry> {
+    pub(crate) fn entry(self) -> Option<&'static LimitEntry> {
         LIMITS.iter().find(|entry| entry.limit == self)
     }
 

@@ -56,6 +56,8 @@ pub enum BraidChoice {
     Sleeves(Vec<Braid>),
 }
 
+/// What is wanted of a muscle, what may be varied, and within which bounds: begun by [`Spec::pull`]
+/// or [`Spec::new`], the rest are fields to be set.
 #[derive(Debug, Clone)]
 pub struct Spec {
     /// What all muscles together must do.
@@ -335,6 +337,7 @@ impl Spec {
         let one = |value: f64| Some((value, value));
         let mut numbers = vec![
             ("the maximum pressure", one(self.max_pressure_mpa)),
+            ("the share of the supply", one(self.supply_share)),
             ("the outer diameter", Some(self.outer_diameter_mm.bounds())),
             ("the wall", Some(self.wall_mm.bounds())),
             ("the length", self.length_mm.as_ref().map(Values::bounds)),
@@ -346,7 +349,7 @@ impl Spec {
             ("`top`", one(self.top as f64)),
             ("`count`", one(f64::from(self.count))),
         ];
-        let limits = self.limits.positive().into_iter();
+        let limits = self.limits.positive();
         numbers.extend(limits.map(|(name, value)| (name, value.and_then(one))));
         for (name, bounds) in numbers {
             let sound = |(low, high): (f64, f64)| low > 0.0 && low <= high && high.is_finite();

@@ -36,6 +36,7 @@ pub struct ExportedJoint {
     /// The same of the stiffness, N m/rad, where each muscle is slack or pulls by more than 2 % of
     /// its blocked force: those of pulls and slopes on their largest arms.
     pub stiffness_error_nm_per_rad: f64,
+    /// The joint, whose muscles were fitted.
     #[serde(skip)]
     pub joint: Joint,
 }
@@ -127,6 +128,7 @@ impl ExportedJoint {
         crate::muscle::identifier("joint", &self.name)
     }
 
+    /// Its range in rad from the neutral angle.
     pub fn range_rad(&self) -> [f64; 2] {
         let (low, high) = self.joint.range_deg();
         [low, high].map(f64::to_radians)

@@ -15,19 +15,13 @@ mod muscle;
 mod targets;
 mod template;
 
-pub use error::ExportError;
-use error::Result;
-pub use fit::BoxRequest;
-pub use form::{CONTRACTION_OUTSIDE, OK, PRESSURE_OUTSIDE, SLACK};
+pub use error::{ExportError, Result};
+pub use fit::{BoxRequest, FormErrors};
+pub use form::{CONTRACTION_OUTSIDE, Form, OK, PRESSURE_OUTSIDE, Point, SLACK};
 pub use joint::ExportedJoint;
 pub use mckibben_io::files::{Content, File};
-pub use muscle::{ExportBox, ExportedMuscle, Known, KnownPoint};
+pub use muscle::{ExportedMuscle, Known, KnownPoint};
 pub use targets::ExportTarget;
-#[doc(hidden)]
-pub use {
-    fit::FormErrors,
-    form::{Form, Point},
-};
 
 /// The program in the first line of a file.
 const MARK: &str = "exported by mckibben";

@@ -25,12 +25,15 @@ pub struct ExportBox {
 pub struct ExportedMuscle {
     /// Name in the files.
     pub name: String,
+    /// The muscle as a file.
     #[serde(skip)]
     pub muscle_file: String,
     /// Pull and volume in closed form.
+    #[doc(hidden)]
     pub form: Form,
     /// The box over which the form was fitted.
     #[serde(flatten)]
+    #[doc(hidden)]
     pub bounds: ExportBox,
     /// The model.
     pub model: String,
@@ -46,6 +49,7 @@ pub struct ExportedMuscle {
     pub blocked_force_n: f64,
     /// What is known of the muscle besides.
     #[serde(flatten)]
+    #[doc(hidden)]
     pub known: Known,
     /// A rope or rod between the muscle and what it pulls, m: lengths of the hosts are those of
     /// both.

@@ -40,21 +40,16 @@
 // Components, nodes, rows and columns are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
 
-#[doc(hidden)]
 pub mod axisymmetric;
-#[doc(hidden)]
 pub mod element;
 pub mod elements;
 mod error;
-#[doc(hidden)]
 pub mod load;
 pub mod output;
 pub mod results;
 mod seated;
 pub mod simulation;
-#[doc(hidden)]
 pub mod solver;
-#[doc(hidden)]
 pub mod three_dimensional;
 
 pub use error::{FemError, Result};

@@ -195,7 +195,6 @@ pub struct Sensitivity {
 }
 
 /// A body that is a muscle: what its present equilibrium tells.
-#[doc(hidden)]
 pub trait MuscleBody: Body {
     /// Factorises the tangent; dF/dw for a displacement of one terminal in N/mm, ∂F/∂P in mm² and
     /// ∂V/∂P in mm³/MPa of the whole muscle.

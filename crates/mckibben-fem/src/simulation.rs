@@ -25,7 +25,6 @@ const MESH_ERROR: f64 = 0.0009;
 const MESH_ERROR_STRETCHED: f64 = 0.003;
 
 /// What is given of an equilibrium. Pressures are in MPa, pulls in N.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Given {
     /// Pressure and contraction.
@@ -71,7 +70,6 @@ impl Given {
 }
 
 /// What the points of a test have.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Detail {
     /// Pressure, contraction, pull and volume.
@@ -83,13 +81,12 @@ pub enum Detail {
 }
 
 /// What of a muscle that is divided into elements does not change.
-#[doc(hidden)]
 pub trait Divided: Send + Sync + Sized {
     /// Name, description and source of the model.
     const ENTRY: ModelEntry;
 
     /// The body that is led from equilibrium to equilibrium.
-    type Body: MuscleBody + Send + 'static;
+    type Body: MuscleBody + Send + Sync + 'static;
 
     /// The muscle at rest.
     ///

@@ -19,9 +19,7 @@
 
 pub mod compare;
 pub mod identify;
-#[doc(hidden)]
 pub mod least_squares;
-#[doc(hidden)]
 pub mod library;
 pub mod measured;
 pub mod recorded;

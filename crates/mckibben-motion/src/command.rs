@@ -74,20 +74,14 @@ impl Command {
 
     /// Whether it is a command.
     pub fn check(&self) -> Result<()> {
-        let refused = |what: &str, value, must| {
-            MotionError::value(&format!("the command's {what}"), value, must)
+        let require = |holds: bool, what: &str, value, must| {
+            let refused = || MotionError::value(&format!("the command's {what}"), value, must);
+            holds.then_some(()).ok_or_else(refused)
         };
-        let finite = |what: &str, value: f64| {
-            value
-                .is_finite()
-                .then_some(())
-                .ok_or_else(|| refused(what, value, "a finite number"))
-        };
+        let finite =
+            |what: &str, value: f64| require(value.is_finite(), what, value, "a finite number");
         let positive = |what: &str, value: f64| {
-            finite(what, value)?;
-            (value > 0.0)
-                .then_some(())
-                .ok_or_else(|| refused(what, value, "above zero"))
+            finite(what, value).and(require(value > 0.0, what, value, "above zero"))
         };
         match self {
             Self::Constant(value) => finite("value", *value),

@@ -67,7 +67,7 @@ impl Pid {
     }
 
     /// For a command, a position, the states I and y_f, and the limits of u.
-    pub fn step(
+    pub(crate) fn step(
         &self,
         command: f64,
         position: f64,

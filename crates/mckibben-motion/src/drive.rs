@@ -91,6 +91,7 @@ pub struct Actuated {
     /// it is no larger than the model's pull.
     pub friction: Option<Friction>,
     /// Viscoelasticity of its rubber.
+    #[doc(hidden)]
     pub rubber: Prony,
     /// Gauge pressure at the start in MPa; without it, what the first command says (0 where that is
     /// an opening that is closed).

@@ -29,7 +29,7 @@ pub enum MotionError {
          larger muscle or a smaller load",
         net = .0.net, time_s = .0.time_s, pressure_mpa = .0.pressure_mpa
     )]
-    NeverLifted(OnStop),
+    NeverLifted(#[doc(hidden)] OnStop),
     /// A model has no answer on the way.
     #[error(
         "the motion ends at {time_s} s, muscle {muscle} at {pressure_mpa}\u{a0}MPa and contraction \
@@ -56,7 +56,11 @@ pub enum MotionError {
     Cancelled(#[from] Cancelled),
     /// More points than are allowed.
     #[error(transparent)]
-    Large(#[from] TooLarge),
+    Large(
+        #[doc(hidden)]
+        #[from]
+        TooLarge,
+    ),
 }
 
 /// The largest net force off a stop, while a load lies on it from the start on.
@@ -111,16 +115,11 @@ impl MotionError {
 
     /// Refused with a sentence where something does not hold.
     pub fn require(holds: bool, why: impl FnOnce() -> String) -> Result<(), Self> {
-        if holds {
-            Ok(())
-        } else {
-            Err(Self::Refused(why()))
-        }
+        holds.then_some(()).ok_or_else(|| Self::Refused(why()))
     }
 
     pub(crate) fn positive(what: &'static str, value: f64) -> Result<(), Self> {
-        let ok = value.is_finite() && value > 0.0;
-        if ok {
+        if value.is_finite() && value > 0.0 {
             Ok(())
         } else {
             Err(Self::value(what, value, "above zero"))

@@ -24,7 +24,7 @@ impl Fluid {
     }
 
     /// Its laws.
-    pub fn medium(&self) -> &dyn Medium {
+    pub(crate) fn medium(&self) -> &dyn Medium {
         match self {
             Self::Air(air) => air,
             Self::Liquid(liquid) => liquid,

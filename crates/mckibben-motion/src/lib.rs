@@ -62,15 +62,13 @@ mod system;
 mod valve;
 mod viscoelastic;
 
-pub use air::{ATMOSPHERE_MPA, Air, HEAT_RATIO};
-pub use catalogue::{NamedValve, valve_named, valves};
+pub use air::{ATMOSPHERE_MPA, Air, HEAT_RATIO, Heat};
 pub use command::Command;
-pub use control::Pid;
+pub use control::{Pid, PidOutput};
 pub use drive::{Actuated, Actuator, Commanded, Drive, Supply};
 pub use equilibrium::{Equilibrium, equilibrium};
-pub use error::{MotionError, Result};
+pub use error::MotionError;
 pub use events::{Event, EventKind};
-pub use file::{DriveFile, parse_drive};
 pub use fluid::Fluid;
 pub use hose::Hose;
 pub use linear::Linear;
@@ -81,17 +79,19 @@ pub use orifice::Orifice;
 pub use run::run;
 pub use series::{MotionSeries, MuscleSeries};
 pub use simulation::{Simulation, SimulationState};
-pub use size::{SizedValve, size};
 pub use valve::{Valve, ValveKind};
-pub use viscoelastic::{Branch, Prony};
 #[doc(hidden)]
 pub use {
-    air::{Flow, Heat, REFERENCE_DENSITY_G_PER_L},
-    catalogue::conductance_of_rated_flow,
-    control::PidOutput,
-    error::OnStop,
-    file::{DriveKeys, Names, Subject, Tables, drive_names, number_at, with_value},
+    air::{Flow, REFERENCE_DENSITY_G_PER_L},
+    catalogue::{NamedValve, conductance_of_rated_flow, valve_named, valves},
+    error::{OnStop, Result},
+    file::{
+        DriveFile, DriveKeys, Names, Subject, Tables, drive_names, number_at, parse_drive,
+        with_value,
+    },
     motion::{Moves, StepFigures},
     orifice::{LINEAR_SHARE, in_series},
     run::run_as_far,
+    size::size,
+    viscoelastic::{Branch, Prony},
 };

@@ -45,7 +45,6 @@ pub struct LiquidFill {
 
 impl LiquidFill {
     /// Volume of a mass at atmospheric pressure in mm³.
-    #[doc(hidden)]
     pub fn volume_mm3(&self, mass_g: f64) -> f64 {
         mass_g / self.liquid.mass_g(1.0)
     }
@@ -265,7 +264,6 @@ pub struct Syringe {
 impl LiquidValve {
     /// Flow in mm³/s at atmospheric pressure at an opening from −1 to 1 other than 0, in the
     /// direction of the pressure difference in MPa.
-    #[doc(hidden)]
     pub fn flow(&self, opening: f64, difference_mpa: f64, liquid: &Liquid) -> f64 {
         let restriction = if opening > 0.0 {
             self.supply
@@ -280,7 +278,6 @@ impl LiquidValve {
 impl Pump {
     /// The same; none against the difference, which a relief valve and an empty inlet do not let
     /// pass. `supply_mpa` is the relief valve's pressure.
-    #[doc(hidden)]
     pub fn flow(&self, opening: f64, difference_mpa: f64, supply_mpa: f64, liquid: &Liquid) -> f64 {
         if opening * difference_mpa <= 0.0 {
             return 0.0;

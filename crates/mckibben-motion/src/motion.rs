@@ -28,6 +28,7 @@ pub struct Motion {
     pub vent_time_s: Option<f64>,
     /// Every step of the command that moved it.
     #[schemars(with = "Vec<serde_json::Value>")]
+    #[doc(hidden)]
     pub steps: Vec<StepFigures>,
     /// Largest speed of a muscle's load, mm/s: of all that was integrated, not of the points of the
     /// series alone.
@@ -108,6 +109,7 @@ fn rests<S: Serializer>(end: &Option<MotionEnd>, serializer: S) -> Result<S::Ok,
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MotionEnd {
     /// How the load moves over the last tenth of the time since the command became constant.
+    #[doc(hidden)]
     pub moves: Moves,
     /// Between which coordinates it moves there, in mm or rad.
     pub between: (f64, f64),

@@ -82,6 +82,7 @@ impl Orifice {
 
     /// The flow from `from` to `to`, each absolute pressure in MPa and temperature in K; negative
     /// when it goes back.
+    #[doc(hidden)]
     pub fn flow(&self, from: (f64, f64), to: (f64, f64)) -> Flow {
         let (sign, up, down) = if from.0 >= to.0 {
             (1.0, from, to)

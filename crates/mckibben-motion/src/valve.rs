@@ -59,7 +59,7 @@ impl Valve {
 
     /// The flow into the muscle from the supply and from the exhaust (negative: out of it), at an
     /// opening.
-    pub fn flows(
+    pub(crate) fn flows(
         &self,
         opening: f64,
         supply: (f64, f64),

@@ -3,10 +3,7 @@
 //! `cargo run --release -p mckibben --example identify`
 
 use mckibben::{
-    fit::{
-        identify::Target,
-        measured::{DataPoint, MeasuredPoint},
-    },
+    fit::{DataPoint, MeasuredPoint, Target},
     prelude::*,
 };
 use std::error::Error;

@@ -2,10 +2,7 @@
 //!
 //! `cargo run --release -p mckibben --example own_law`
 
-use mckibben::{
-    prelude::*,
-    rubber::{Constant, InvariantDerivatives, InvariantLaw, LawConstants, check_law},
-};
+use mckibben::{Constant, InvariantDerivatives, InvariantLaw, LawConstants, check_law, prelude::*};
 use std::error::Error;
 
 /// Davidson and Goulbourne's energy without its entanglements: W = μ/2 (I1 − 3) + b (I1 − 3)⁴.

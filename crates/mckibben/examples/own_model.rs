@@ -2,10 +2,7 @@
 //!
 //! `cargo run --release -p mckibben --example own_model`
 
-use mckibben::{
-    model::{ForceModel, ModelEntry, ModelInfo, Response, Workspace},
-    prelude::*,
-};
+use mckibben::{ForceModel, ModelEntry, ModelError, ModelInfo, Response, Workspace, prelude::*};
 use std::error::Error;
 
 /// F = k P (1 − ε/ε0): two numbers from a bench.
@@ -31,7 +28,7 @@ impl ForceModel for Straight {
         _: &mut Workspace,
         pressure_mpa: f64,
         contraction: f64,
-    ) -> Result<Response, mckibben::model::ModelError> {
+    ) -> Result<Response, ModelError> {
         Ok(Response {
             pressure_mpa,
             contraction,

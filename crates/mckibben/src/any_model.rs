@@ -35,13 +35,17 @@ use std::{fmt, str::FromStr, sync::Arc};
 #[non_exhaustive]
 pub enum Model {
     /// A closed form, `universal` with its built-in coefficients among them.
+    #[doc(hidden)]
     ClosedForm(ModelKind),
     /// A formula that the paper's method or one least-squares problem fitted.
+    #[doc(hidden)]
     Formula(Arc<Formula>),
     /// A universal formula with other coefficients than the built-in ones.
+    #[doc(hidden)]
     Universal(Arc<UniversalFormula>),
     /// Finite elements.
     #[cfg(feature = "fem")]
+    #[doc(hidden)]
     Elements(Elements),
 }
 
@@ -102,6 +106,7 @@ impl Model {
     }
 
     /// Sections, pressures and contractions that it was made for, where it is bound to some.
+    #[doc(hidden)]
     pub fn range(&self) -> Option<&FormulaRange> {
         match self {
             Self::Formula(f) => Some(&f.range),

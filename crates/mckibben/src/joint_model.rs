@@ -2,13 +2,9 @@
 
 use crate::MuscleModel;
 use mckibben_core::{
-    joint::{
-        BoundJoint, Joint, JointError, JointMap, JointMuscle, JointPoint, JointTarget, Rest,
-        Turning,
-    },
+    joint::{BoundJoint, Joint, JointError, JointMuscle, JointPoint, JointTarget, Rest, Turning},
     model::Workspace,
     muscle::Muscle,
-    progress::Silent,
 };
 use std::{fmt, sync::Arc};
 
@@ -28,18 +24,10 @@ type Result<T> = std::result::Result<T, JointError>;
 /// assert!((set.pressures_mpa[0] - 0.2).abs() < 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[derive(Clone)]
 pub struct JointModel {
     joint: BoundJoint,
     workspaces: Vec<Workspace>,
-}
-
-impl Clone for JointModel {
-    fn clone(&self) -> Self {
-        Self {
-            joint: self.joint.clone(),
-            workspaces: self.joint.workspaces(),
-        }
-    }
 }
 
 impl fmt::Debug for JointModel {
@@ -160,13 +148,5 @@ impl JointModel {
             self.joint.outside(supply_mpa)?;
         }
         found
-    }
-
-    /// The angles and stiffnesses that it reaches up to a pressure, `count` pressures a muscle.
-    ///
-    /// # Errors
-    /// [`JointError`] outside of a model's range.
-    pub fn map(&self, max_pressure_mpa: f64, count: usize) -> Result<JointMap> {
-        self.joint.map(max_pressure_mpa, count, &Silent)
     }
 }

@@ -38,6 +38,7 @@ use std::{
 /// assert!(model.force_n(50.0, 0.10).is_err(), "no rubber tube is meant to bear 500 bar");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[derive(Clone)]
 pub struct MuscleModel {
     model: Arc<dyn ForceModel>,
     /// What the model was made by; nothing of one of your own.
@@ -48,19 +49,6 @@ pub struct MuscleModel {
     /// Whether pressures at which the muscle bursts are answered too.
     is_past_burst: bool,
     pub(crate) workspace: Workspace,
-}
-
-impl Clone for MuscleModel {
-    fn clone(&self) -> Self {
-        Self {
-            model: Arc::clone(&self.model),
-            choice: self.choice.clone(),
-            options: self.options,
-            burst: Arc::clone(&self.burst),
-            is_past_burst: self.is_past_burst,
-            workspace: Workspace::new(),
-        }
-    }
 }
 
 impl fmt::Debug for MuscleModel {
@@ -145,14 +133,13 @@ impl MuscleModel {
         self.options
     }
 
-    /// What the model is, without memory: for [`joint`](crate::joint), [`motion`](crate::motion) and
-    /// curves.
+    /// What the model is, without memory: for [`motion`](crate::motion) and [`export`](crate::export).
     pub fn shared(&self) -> Arc<dyn ForceModel> {
         Arc::clone(&self.model)
     }
 
-    /// The model with its memory, for whatever is not here.
-    pub fn evaluation(&mut self) -> Evaluation<'_> {
+    /// The model with its memory.
+    pub(crate) fn evaluation(&mut self) -> Evaluation<'_> {
         Evaluation::new(&*self.model, &mut self.workspace, self.options)
     }
 
@@ -223,19 +210,7 @@ impl MuscleModel {
 
     /// Pulls in N at many points, on all threads; each has the digits that it has alone.
     pub fn forces_n(&self, points: &[(f64, f64)]) -> Vec<Result<f64, ModelError>> {
-        let (model, options, burst) = (&self.model, self.options, &self.burst);
-        let is_past_burst = self.is_past_burst;
-        threads::map(points, |&(p, e)| {
-            Self {
-                model: Arc::clone(model),
-                choice: None,
-                options,
-                burst: Arc::clone(burst),
-                is_past_burst,
-                workspace: Workspace::new(),
-            }
-            .force_n(p, e)
-        })
+        threads::map(points, |&(p, e)| self.clone().force_n(p, e))
     }
 
     /// The pressures at which the parts of the muscle fail.

@@ -1,8 +1,6 @@
 //! What most programs need: `use mckibben::prelude::*`.
 
 pub use crate::{
-    JointModel, Model, MuscleModel,
-    joint::{Joint, JointMuscle, Link},
-    muscle::{Braid, BraidStiffness, Direction, Muscle, Rubber, Terminals, Tube},
-    rubber::{Law, RubberLaw},
+    Braid, BraidStiffness, Direction, Joint, JointModel, JointMuscle, Law, Link, Model, Muscle,
+    MuscleModel, Rubber, RubberLaw, Terminals, Tube,
 };

@@ -8,12 +8,13 @@
 ))]
 
 use mckibben::{
+    Values,
     design::{BraidChoice, Spec},
-    fit::measured::{DataPoint, MeasuredPoint},
+    fit::{DataPoint, MeasuredPoint},
     motion::{Actuated, Actuator, Command, Commanded, Drive, Simulation, SingleMuscle},
     prelude::*,
-    units::Values,
 };
+use mckibben_core::joint::BoundJoint;
 
 const BAD: [f64; 9] = [
     f64::NAN,
@@ -84,12 +85,12 @@ fn a_joint_answers_finite_numbers_or_why_not() {
     let muscle = Model::UNIVERSAL.of(&Muscle::prototype()).unwrap();
     let mut joint = JointModel::antagonists(&muscle, 25.0, 0.1, (-60.0, 60.0)).unwrap();
     for (a, b) in pairs((0.2, 0.1)) {
-        let of = |p: mckibben::joint::JointPoint| p.torque_nm;
+        let of = |p: mckibben::JointPoint| p.torque_nm;
         sound("torque", (a, b), joint.at(&[a, b], 10.0).map(of));
         sound("angle", (a, b), joint.at(&[0.2, a], b).map(of));
         sound("pressures", (a, b), joint.pressures(0.0, a, b, 0.6).map(of));
         sound("supply", (a, b), joint.pressures(a, 1.0, 10.0, b).map(of));
-        let angle = |all: Vec<mckibben::joint::Rest>| all[0].angle_deg();
+        let angle = |all: Vec<mckibben::Rest>| all[0].angle_deg();
         sound("rest", (a, b), joint.rests(&[0.1, a], b).map(angle));
         let built = JointModel::antagonists(&muscle, a, b, (-60.0, 60.0));
         sound("built", (a, b), built.map(|_| 0.0));
@@ -100,10 +101,12 @@ fn a_joint_answers_finite_numbers_or_why_not() {
         assert!(joint.at(list, 0.0).is_err());
         assert!(joint.rests(list, 0.0).is_err());
     }
+    let bound = BoundJoint::new(joint.joint().clone(), vec![muscle.shared(); 2], false).unwrap();
+    let map = |supply, count| bound.map(supply, count, &mckibben::Silent);
     for supply in BAD {
-        sound("map", supply, joint.map(supply, 3).map(|_| 0.0));
+        sound("map", supply, map(supply, 3).map(|_| 0.0));
     }
-    assert!(joint.map(0.3, 0).is_err());
+    assert!(map(0.3, 0).is_err());
     // A supply at which the model has no answer is said, not that no pressures do.
     let there = joint.at(&[0.2, 0.15], 0.0).unwrap();
     let (torque_nm, stiffness) = (there.torque_nm, there.stiffness_nm_per_rad);
@@ -144,7 +147,7 @@ fn a_simulation_steps_or_says_why_not() {
     simulation.step(&[0.2]).unwrap();
     for bad in BAD {
         let before = simulation.state();
-        let silent = &mckibben::progress::Silent;
+        let silent = &mckibben::Silent;
         let stepped = simulation.step(&[bad]);
         sound("command", bad, stepped.map(|()| 0.0));
         let pushed = simulation.step_against(&[0.2], bad, silent);
@@ -182,7 +185,7 @@ fn muscles_and_rubbers_are_sound_or_refused() {
             (a, b),
             soft.map(|m| m.rubber().law.shear_modulus_mpa()),
         );
-        let other = mckibben::gradient::with_parameters(
+        let other = mckibben::fit::with_parameters(
             &muscle,
             &[("tube.wall_thickness", a), ("braid.angle", b)],
         );

@@ -1,6 +1,5 @@
 //! Every program under `examples` runs, and what it asserts holds.
 #![cfg(all(
-    feature = "campaign",
     feature = "design",
     feature = "export",
     feature = "fem",
@@ -8,8 +7,6 @@
     feature = "motion"
 ))]
 
-#[path = "../examples/campaign.rs"]
-mod campaign;
 #[path = "../examples/controller.rs"]
 mod controller;
 #[path = "../examples/curve.rs"]
@@ -39,5 +36,5 @@ macro_rules! run {
 }
 
 mod programs {
-    run!(campaign controller curve design export identify joint own_law own_model pull);
+    run!(controller curve design export identify joint own_law own_model pull);
 }

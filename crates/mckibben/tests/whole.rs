@@ -1,12 +1,9 @@
 //! A muscle in Rust is the whole muscle, as every other front end has it.
 #![cfg(all(feature = "design", feature = "fem", feature = "fit"))]
 
-use mckibben::{
-    fem::axisymmetric::Axisymmetric,
-    fit::library::file,
-    model::{ForceModel, Workspace},
-    prelude::*,
-};
+use mckibben::{ForceModel, Workspace, prelude::*};
+use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_fit::library::file;
 
 /// The hose of the library, which gives way at its ends: 407.3 N on the command line.
 #[test]
@@ -54,11 +51,12 @@ fn models_and_joints_are_sent_to_other_threads() {
 /// Gent's law once more, as a law of one's own.
 mod custom {
     use mckibben::{
+        Constant, InvariantDerivatives, InvariantLaw, LawConstants, check_law,
         design::Spec,
-        fit::measured::{DataPoint, MeasuredPoint},
+        fit::{DataPoint, MeasuredPoint},
         prelude::*,
-        rubber::{Constant, Gent, InvariantDerivatives, InvariantLaw, LawConstants, check_law},
     };
+    use mckibben_core::rubber::Gent;
 
     #[derive(Debug)]
     struct Mine(Gent);

@@ -13,7 +13,7 @@ pub use point::with_parameters;
 use crate::{
     AskFields, Model, PressureLimits, Problem, ProblemKind, Result, burst_of, finite, ratio,
 };
-use mckibben::gradient;
+use mckibben::fit::GradientError;
 use mckibben_core::{
     analysis::{Burst, Evaluation},
     answer::{Answer, Options},
@@ -187,7 +187,7 @@ impl BoundModel {
 
     /// Whether a point takes finite elements, and so about a million times as long as a formula.
     pub fn is_elements(&self) -> bool {
-        matches!(self.choice, Model::Elements(_))
+        self.choice.is_elements()
     }
 
     /// Whether so many numbers take some tenths of a second at most.
@@ -197,7 +197,7 @@ impl BoundModel {
 
     /// The constant or measure of a name, as the muscle file has it.
     pub fn parameter(&self, name: &str) -> Result<Target> {
-        Ok(gradient::parameter(self.muscle(), name)?)
+        Ok(Target::parse(name, self.muscle()).map_err(GradientError::from)?)
     }
 
     /// Answers every pair, each into its [`Many::width`] places of `out`, on the threads of the

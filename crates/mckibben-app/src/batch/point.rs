@@ -12,7 +12,7 @@
 
 use super::{ArrayError, BoundModel, Many, PointQuantity, Quiet};
 use crate::{Problem, ProblemKind, Result, finite, ratio, warnings};
-use mckibben::gradient::{self, GradientError};
+use mckibben::fit::{self, GradientError};
 use mckibben_core::{
     analysis::{Burst, Evaluation},
     answer::Answer,
@@ -198,7 +198,7 @@ impl BoundModel {
     ) -> Result<()> {
         // ∂F/∂θ first: finite elements then have the equilibrium of this very point.
         let (by_pair, by_parameters) = places.split_at_mut(2 * usize::from(many.slopes));
-        let known = gradient::by_parameters(
+        let known = fit::by_parameters(
             (Some(&self.choice), &*self.model),
             self.options,
             workspace,
@@ -206,7 +206,7 @@ impl BoundModel {
             &many.parameters,
         )?;
         by_parameters.copy_from_slice(&known);
-        let (f_p, f_e) = gradient::by_point(&mut self.evaluation(workspace), p, e)?;
+        let (f_p, f_e) = fit::by_point(&mut self.evaluation(workspace), p, e)?;
         let (pair, scale) = match many.wanted {
             PointQuantity::Force => ([f_p, f_e], 1.0),
             PointQuantity::Pressure => ([1.0 / f_p, -f_e / f_p], -1.0 / f_p),
@@ -233,7 +233,7 @@ pub fn with_parameters(muscle: &Muscle, values: &[(String, f64)]) -> Result<Musc
     for (name, value) in values {
         finite(name, *value)?;
     }
-    Ok(gradient::with_parameters(muscle, values)?)
+    Ok(fit::with_parameters(muscle, values)?)
 }
 
 impl From<GradientError> for Problem {

@@ -137,7 +137,7 @@ fn what_is_taken_reaches_nine_in_ten_by_what_force_says_of_it() {
         let sd_n = (of("predicted_high_n") - of("predicted_n")) / 1.96;
         let z = (of("predicted_n") - point["required_n"].as_f64().unwrap()) / sd_n;
         assert!(
-            (mckibben::design::normal_share(z) - chance).abs() < 2e-3,
+            (mckibben_design::normal_share(z) - chance).abs() < 2e-3,
             "{z} {chance}"
         );
         let ends = [number("pressure_low_mpa"), number("pressure_high_mpa")];

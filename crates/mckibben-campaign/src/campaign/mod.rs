@@ -18,18 +18,13 @@ mod warnings;
 mod tests;
 
 pub use error::CampaignError;
-pub use plan::{Plan, PlanBuilder, Sampling, SamplingMethod, Testing};
+pub use plan::{Inputs, Plan, PlanBuilder, PlanKeys, Sampling, SamplingMethod, Testing};
 pub use solve::compute;
 #[cfg(feature = "store")]
 pub use store::{CampaignOutcome, Forecast, RunOptions, forecast, read, rows, run};
 #[cfg(feature = "store")]
-#[doc(hidden)]
 pub use store::{
     Counts, Extent, Failed, Merged, Provenance, Recomputed, Rows, Shard, ShardState, ShardStatus,
     Summary, merge, summary,
 };
-#[doc(hidden)]
-pub use {
-    plan::{Inputs, PlanKeys},
-    warnings::Warned,
-};
+pub use warnings::Warned;

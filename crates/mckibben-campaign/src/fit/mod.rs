@@ -3,24 +3,17 @@
 
 pub mod data;
 mod error;
-#[doc(hidden)]
 pub mod errors;
-#[doc(hidden)]
 pub mod global;
 mod least_squares;
 mod make;
-#[doc(hidden)]
 pub mod paper_method;
-#[doc(hidden)]
 pub mod tables;
-#[doc(hidden)]
 pub mod universal;
 
 pub use error::FitError;
-pub use make::{Fits, FittedFormula, FormulaRequest, MakeOfRows, Method, make};
-#[doc(hidden)]
-pub use {
-    global::global,
-    make::{Fittable, fitted, refitted},
-    paper_method::{PaperMethod, paper_method},
+pub use global::global;
+pub use make::{
+    Fits, Fittable, FittedFormula, FormulaRequest, MakeOfRows, Method, fitted, make, refitted,
 };
+pub use paper_method::{PaperMethod, paper_method};

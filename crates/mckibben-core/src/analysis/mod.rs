@@ -17,12 +17,8 @@ pub use burst::{
     PROOF_TO_WORKING, PROVED, PressureLimits, RELIEF, SAFETY, STRETCH, Safety, burst, burst_below,
 };
 pub use error::{AnalysisError, Result};
-pub use evaluation::{Evaluation, Options};
+pub use evaluation::{Evaluation, Options, source_of};
+pub use golden::{Abscissa, golden};
 pub(crate) use inverse::{HIGHEST_PRESSURE_MPA, straight_strands};
+pub use root::{bisect, find_root, root_near};
 pub(crate) use sweep::{Sweep, places};
-#[doc(hidden)]
-pub use {
-    evaluation::source_of,
-    golden::{Abscissa, golden},
-    root::{bisect, find_root, root_near},
-};

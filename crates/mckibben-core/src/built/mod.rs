@@ -26,7 +26,6 @@
 //! Range: muscles that contract, of stated or estimated constants; five families of measured
 //! muscles tell the prior, and `cargo study validation` what it covers where each is left out.
 
-#[doc(hidden)]
 pub mod learnt;
 mod measure;
 mod measured;
@@ -36,16 +35,12 @@ mod predictor;
 mod prior;
 mod twin;
 
-pub use parts::UncertaintyParts;
-#[doc(hidden)]
-pub use {
-    measure::{Left, Measurement},
-    measured::{MEASURED, NotMeasured, measured_up_to_mpa, measured_values, not_measured},
-    median::BuiltMedian,
-    parts::{STIFFNESS_WAY, basis_of, stiffness_uncertainty_n_per_mm},
-    predictor::{At, Predictor},
-    prior::{Belief, Experience, Prior},
-};
+pub use measure::{Left, Measurement};
+pub use measured::{MEASURED, NotMeasured, measured_up_to_mpa, measured_values, not_measured};
+pub use median::BuiltMedian;
+pub use parts::{STIFFNESS_WAY, UncertaintyParts, basis_of, stiffness_uncertainty_n_per_mm};
+pub use predictor::{At, Predictor};
+pub use prior::{Belief, Experience, Prior};
 
 use crate::{
     analysis::{Evaluation, Options},
@@ -90,7 +85,6 @@ pub struct Built {
 
 /// What a muscle that is built pulls more than the model says, in N; below zero where it pulls
 /// less.
-#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct BuiltShift {
     /// By the friction of its braid.

@@ -21,17 +21,14 @@ mod terms;
 mod universal;
 
 pub use error::FormulaError;
+pub use errors::{ErrorSummary, FormulaErrors, HeldOut, RegionErrors};
+pub use file::powers;
 pub(crate) use made::alike;
-pub use paper::Coefficients;
-pub use universal::UniversalFormula;
-#[doc(hidden)]
-pub use {
-    errors::{ErrorSummary, FormulaErrors, HeldOut, RegionErrors},
-    file::powers,
-    made::{Made, MadeBraid, MadeRubber, MadeStrands, NamedBraid},
-    paper::Section,
-    terms::{GlobalSection, GlobalTerms, Scales, Term, paper_terms},
-    universal::{UniversalErrors, UniversalRange, UniversalSummary, UniversalTerm},
+pub use made::{Made, MadeBraid, MadeRubber, MadeStrands, NamedBraid};
+pub use paper::{Coefficients, Section};
+pub use terms::{GlobalSection, GlobalTerms, Scales, Term, paper_terms};
+pub use universal::{
+    UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary, UniversalTerm,
 };
 
 use file::{File, check::interval};
@@ -39,7 +36,6 @@ use serde::{Deserialize, Serialize};
 use std::path::Path;
 
 /// The terms of a formula.
-#[doc(hidden)]
 #[derive(Debug, Clone, PartialEq)]
 pub enum Body {
     /// The paper's (11).

@@ -22,19 +22,13 @@ mod tests;
 mod uncertainty;
 
 pub use error::{JointError, Result};
-pub use file::parse_joint;
-pub use map::JointMap;
+pub use file::{JointFile, JointKeys, parse_joint};
+pub use inverse::JointTarget;
+pub use map::{JointMap, MapPoint};
 pub use model::{BoundJoint, JointPoint, MuscleState, Turning};
-pub use path::Path;
+pub use path::{Path, Shortening};
 pub use rest::Rest;
 pub use shut::ShutStiffness;
-#[doc(hidden)]
-pub use {
-    file::{JointFile, JointKeys},
-    inverse::JointTarget,
-    map::MapPoint,
-    path::Shortening,
-};
 
 use crate::{
     extremes::even,
@@ -309,6 +303,7 @@ impl Joint {
     }
 
     /// ε of a muscle at an angle, and the arm.
+    #[doc(hidden)]
     pub fn contraction(&self, muscle: usize, angle_rad: f64) -> Option<(f64, Shortening)> {
         let m = self.muscles.get(muscle)?;
         let s = m.path.shortening(angle_rad);

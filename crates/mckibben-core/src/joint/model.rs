@@ -61,6 +61,7 @@ pub struct JointPoint {
     pub stiffness_nm_per_rad: f64,
     /// −dτ/dφ with the valves shut.
     #[serde(flatten)]
+    #[doc(hidden)]
     pub shut: ShutStiffness,
     /// Torque that a joint which is built will give, by the median, N m.
     pub predicted_nm: Option<f64>,
@@ -72,6 +73,7 @@ pub struct JointPoint {
     pub uncertainty_nm: Option<f64>,
     /// Its parts, each a 95 % half-width in N m; they add as squares. Friction of two muscles adds
     /// fully; a rubber or braid that both share shifts both pulls at once.
+    #[doc(hidden)]
     pub uncertainty_parts_nm: Option<UncertaintyParts>,
     /// 95 % half-width of the stiffness, N m/rad.
     pub stiffness_uncertainty_nm_per_rad: Option<f64>,

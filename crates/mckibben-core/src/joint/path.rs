@@ -35,6 +35,7 @@ pub struct Shortening {
 
 impl Path {
     /// Δ at an angle; not finite where both points meet.
+    #[doc(hidden)]
     pub fn shortening(&self, angle_rad: f64) -> Shortening {
         match *self {
             Self::Pulley { radius_mm } => Shortening {

@@ -13,9 +13,7 @@ mod table;
 
 pub use cycle::{Cycle, cycle};
 pub use equilibrium::{Balance, LoadError};
-#[doc(hidden)]
-pub use fill::Filling;
-pub use fill::{Fill, FillError, FillState};
+pub use fill::{Fill, FillError, FillState, Filling};
 pub use lever::Lever;
 pub use table::LoadTable;
 

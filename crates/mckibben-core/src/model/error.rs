@@ -125,6 +125,7 @@ pub enum ModelError {
     #[error("{reason}")]
     Stopped {
         /// How: not converged, collapsed, or on another branch.
+        #[doc(hidden)]
         status: Status,
         /// The reason in words, with the last equilibrium of the path.
         reason: String,
@@ -167,7 +168,7 @@ pub enum ModelError {
     },
     /// What a model of your own says ([`ModelError::other`]).
     #[error(transparent)]
-    Other(OtherError),
+    Other(#[doc(hidden)] OtherError),
 }
 
 impl ModelError {

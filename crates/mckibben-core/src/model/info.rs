@@ -28,8 +28,10 @@ pub struct ModelInfo {
     pub muscle: Arc<Muscle>,
     /// The pressures and contractions for which it was made, and what of the muscle lies outside of
     /// its box.
+    #[doc(hidden)]
     pub range: ModelRange,
     /// What is known of its error.
+    #[doc(hidden)]
     pub accuracy: Accuracy,
     /// Whether an answer takes milliseconds or more: searches then ask it at fewer places.
     pub costly: bool,

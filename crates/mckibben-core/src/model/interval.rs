@@ -80,6 +80,7 @@ impl Interval {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RangeViolation {
     /// The interval of the box.
+    #[doc(hidden)]
     pub interval: Interval,
     /// The value, in the quantity's unit.
     pub value: f64,

@@ -31,28 +31,22 @@ mod wall_energy;
 mod wall_mooney;
 mod workspace;
 
+pub use accuracy::{Accuracy, BlockedAt, Reference};
 pub use error::{ModelError, Result};
 pub use formula::FormulaModel;
 pub use ideal::Ideal;
 pub use info::{ModelEntry, ModelInfo};
-pub use kind::ModelKind;
+pub use interval::{Interval, Quantity, RangeViolation};
+pub use kind::{ModelKind, unknown_model};
 pub use range::ModelRange;
 pub use response::Response;
+pub use seated::{Seated, with_ends};
 pub use thick_wall::ThickWall;
 pub use tondu_lopez::TonduLopez;
-pub use universal::Universal;
-pub use workspace::Workspace;
-#[doc(hidden)]
-pub use {
-    accuracy::{Accuracy, BlockedAt, Reference},
-    interval::{Interval, Quantity, RangeViolation},
-    kind::unknown_model,
-    seated::{Seated, with_ends},
-    universal::EndPoint,
-    wall::Wall,
-    wall_energy::WallEnergy,
-    workspace::ModelId,
-};
+pub use universal::{EndPoint, Universal};
+pub use wall::Wall;
+pub use wall_energy::WallEnergy;
+pub use workspace::{ModelId, Workspace};
 
 use crate::muscle::Muscle;
 use auto_impl::auto_impl;
@@ -128,7 +122,6 @@ pub trait ForceModel: Send + Sync {
     /// in closed form or with the load held in place of it; `None` where it has none or finds none.
     /// Nothing is checked against its range; whoever wants an inverse of any model takes
     /// [`Evaluation::pressure_at`](crate::analysis::Evaluation::pressure_at).
-    #[doc(hidden)]
     fn pressure_at_pull(
         &self,
         _workspace: &mut Workspace,
@@ -139,7 +132,6 @@ pub trait ForceModel: Send + Sync {
     }
 
     /// The contraction at which the pull is `force_n`, likewise.
-    #[doc(hidden)]
     fn contraction_at_pull(
         &self,
         _workspace: &mut Workspace,
@@ -150,7 +142,6 @@ pub trait ForceModel: Send + Sync {
     }
 
     /// Whether it has ∂F by constants and measures of its muscle.
-    #[doc(hidden)]
     fn has_slopes(&self) -> bool {
         false
     }
@@ -171,7 +162,6 @@ pub trait ForceModel: Send + Sync {
 
     /// The pull at rest length in N, of which errors of the model are a share: by a faster model
     /// where this one is slow.
-    #[doc(hidden)]
     fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64> {
         self.force_n(workspace, pressure_mpa, 0.0)
     }
@@ -207,7 +197,6 @@ pub trait ForceModel: Send + Sync {
     }
 
     /// Half of the hysteresis in N, where the model states it in place of its muscle.
-    #[doc(hidden)]
     fn friction_half_n(&self, _workspace: &mut Workspace, _p: f64, _e: f64) -> Option<Result<f64>> {
         None
     }

@@ -42,7 +42,7 @@ impl PartialEq for ModelId {
 /// ```
 #[derive(Default)]
 pub struct Workspace {
-    content: Option<(ModelId, Box<dyn Any + Send>)>,
+    content: Option<(ModelId, Box<dyn Any + Send + Sync>)>,
     /// The last state of the ends of a muscle that slip.
     last: Option<(ModelId, EndState)>,
     /// What was made once for the muscle of a model.
@@ -57,7 +57,8 @@ impl Workspace {
 
     /// The content that belongs to a model, made by `make` where this workspace has none of that
     /// model.
-    pub fn try_state<T: Any + Send, E>(
+    #[doc(hidden)]
+    pub fn try_state<T: Any + Send + Sync, E>(
         &mut self,
         id: &ModelId,
         make: impl FnOnce() -> Result<T, E>,
@@ -106,9 +107,17 @@ impl Workspace {
     }
 
     /// The content that belongs to a model, where this workspace has one.
+    #[doc(hidden)]
     pub fn get<T: Any>(&self, id: &ModelId) -> Option<&T> {
         let (of, content) = self.content.as_ref()?;
         (of == id).then(|| content.downcast_ref::<T>()).flatten()
+    }
+}
+
+/// An empty one: whoever takes a copy of a model begins anew.
+impl Clone for Workspace {
+    fn clone(&self) -> Self {
+        Self::new()
     }
 }
 

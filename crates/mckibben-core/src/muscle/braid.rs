@@ -121,6 +121,7 @@ pub struct Braid {
     /// The single strands, where they are known.
     pub strands: Option<Strands>,
     /// Strand length and turns measured on the muscle, where they are known.
+    #[doc(hidden)]
     pub measured: Option<MeasuredStrand>,
     /// Whether strands carry compression, as the paper's trusses do. Real strands buckle: default
     /// false.
@@ -136,12 +137,14 @@ pub struct Braid {
     /// Inner diameter in mm at which the sleeve has its angle, where it is wider than the tube.
     pub diameter_mm: Option<f64>,
     /// What straightens in the strands before they stretch.
+    #[doc(hidden)]
     pub crimp: Option<Crimp>,
     /// Factor within which the stiffness is known; 1 where it is taken as it is.
     pub stiffness_factor: f64,
     /// b: strands that lie side by side on a carrier of the braiding machine, where it is known.
     pub strands_per_carrier: Option<f64>,
     /// The named sleeve that it was cut from, which gives its angle on another tube.
+    #[doc(hidden)]
     pub sleeve: Option<SleeveShape>,
 }
 

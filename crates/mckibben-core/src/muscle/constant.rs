@@ -79,6 +79,7 @@ impl Muscle {
     ///
     /// # Errors
     /// [`MuscleError`] where there is no such muscle.
+    #[doc(hidden)]
     pub fn with_constants(&self, x: &Constants) -> Result<Self, MuscleError> {
         let of = |constant: Constant| x[constant as usize];
         let d0_mm = self.outer_diameter_mm();

@@ -48,6 +48,7 @@ impl Muscle {
     }
 
     /// How the strands lie on the tube.
+    #[doc(hidden)]
     pub fn strand_lay(&self) -> StrandLay {
         self.braid().lay(self.tube())
     }
@@ -107,6 +108,7 @@ impl Muscle {
     }
 
     /// What a workshop needs.
+    #[doc(hidden)]
     pub fn build_sheet(&self) -> BuildSheet {
         let cut = self.length_mm() + 2.0 * self.insertion_mm();
         let ro = self.tube().outer_radius_mm();

@@ -65,6 +65,7 @@ pub struct EndState {
 
 impl Muscle {
     /// Its ends.
+    #[doc(hidden)]
     pub fn ends(&self) -> Ends {
         let t = &self.parts.terminals;
         Ends {

@@ -79,6 +79,7 @@ impl Friction {
 
     /// How it builds up, over [`Friction::presliding_length_mm`], from a position in mm on, after
     /// sliding towards `sign` (0: at rest).
+    #[doc(hidden)]
     pub fn presliding(&self, at_mm: f64, sign: f64) -> Presliding {
         Presliding::new(self.presliding_length_mm(), at_mm, sign)
     }

@@ -41,6 +41,7 @@ pub struct JobPoint {
     pub contraction: Ratio,
 }
 
+#[doc(hidden)]
 impl Muscle {
     /// What it was designed for, where its file says so.
     pub fn job(&self) -> Option<&Job> {

@@ -22,6 +22,7 @@ mckibben_units::display_as_serde_word!(MuscleKind);
 
 impl Muscle {
     /// Which way it moves under pressure.
+    #[doc(hidden)]
     pub fn kind(&self) -> MuscleKind {
         if self.is_extensile() {
             MuscleKind::Extensile

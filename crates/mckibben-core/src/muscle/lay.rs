@@ -53,6 +53,7 @@ impl StrandLay {
 
 impl Braid {
     /// How the strands lie on a tube.
+    #[doc(hidden)]
     pub fn lay(&self, tube: &Tube) -> StrandLay {
         let diameter_mm = self.diameter_mm.unwrap_or(tube.outer_diameter_mm);
         StrandLay::new(self.angle_rad(), diameter_mm, self.thickness_mm)

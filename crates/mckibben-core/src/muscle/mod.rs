@@ -15,7 +15,6 @@ mod friction;
 mod job;
 mod kind;
 mod lay;
-#[doc(hidden)]
 pub mod measures;
 mod presliding;
 mod reach;
@@ -30,29 +29,23 @@ pub use crate::{
     rubber::{Bulk, Conditioned, Rubber},
     sleeve::NEUTRAL_ANGLE_DEG,
 };
-pub use bench::Bench;
-pub use braid::{Braid, BraidStiffness, SLEEVE_ANGLE_TOLERANCE_DEG, Strands};
+pub use bench::{Bench, OwnPoint};
+pub use braid::{Braid, BraidStiffness, MeasuredStrand, SLEEVE_ANGLE_TOLERANCE_DEG, Strands};
+pub use constant::{Constant, Constants};
+pub use crimp::Crimp;
 pub use direction::Direction;
+pub use ends::{EndState, Ends};
 pub use error::MuscleError;
 pub use friction::Friction;
 pub use job::{Job, JobPoint};
 pub use kind::{LARGEST_ANGLE_DEG, MuscleKind};
-pub use terminals::{EndsMade, Terminals};
+pub use lay::StrandLay;
+pub use measures::{Measure, Parts};
+pub use presliding::Presliding;
+pub use reach::largest_stretch;
+pub use stated::Stated;
+pub use terminals::{EndFactor, EndsMade, Terminals};
 pub use tube::Tube;
-#[doc(hidden)]
-pub use {
-    bench::OwnPoint,
-    braid::MeasuredStrand,
-    constant::{Constant, Constants},
-    crimp::Crimp,
-    ends::{EndState, Ends},
-    lay::StrandLay,
-    measures::{Measure, Parts},
-    presliding::Presliding,
-    reach::largest_stretch,
-    stated::Stated,
-    terminals::EndFactor,
-};
 
 use crate::{
     joined,
@@ -95,6 +88,7 @@ impl Muscle {
     }
 
     /// The same of parts in one.
+    #[doc(hidden)]
     pub fn from_parts(mut parts: Parts) -> Result<Self, MuscleError> {
         parts.check_together()?;
         let reach = parts.reach();
@@ -155,6 +149,7 @@ impl Muscle {
 
     /// The bench that its constants were identified from, at this or another of its lengths; `None`
     /// also where the muscle or the bench was changed since.
+    #[doc(hidden)]
     pub fn bench(&self) -> Option<&Bench> {
         self.bench_of_lengths().filter(|bench| {
             bench.lengths_mm.is_empty() || bench.lengths_mm.contains(&self.length_mm())
@@ -168,6 +163,7 @@ impl Muscle {
     }
 
     /// The same muscle with what a bench says of it.
+    #[doc(hidden)]
     pub fn with_bench(mut self, bench: Bench) -> Self {
         self.bench = Some(Arc::new(bench));
         self

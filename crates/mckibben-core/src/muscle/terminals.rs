@@ -108,6 +108,7 @@ pub struct Terminals {
     /// Pressure in MPa for which plugs and fittings are rated, where it is known.
     pub rated_pressure_mpa: Option<f64>,
     /// Empirical end factor, where one was measured or fitted.
+    #[doc(hidden)]
     pub end_factor: Option<EndFactor>,
 }
 

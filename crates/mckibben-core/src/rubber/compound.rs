@@ -82,12 +82,14 @@ pub struct Rubber {
     pub elongation_at_break: Option<f64>,
     /// How rubber that was stretched before is softer, where it is known. The law is that of the
     /// first loading.
+    #[doc(hidden)]
     pub softening: Option<OgdenRoxburgh>,
     /// What it was stretched by before; `None` on its first inflation. The finite elements of the
     /// section have it.
     pub conditioned: Option<Conditioned>,
     /// How the rubber relaxes, where it is known. The law is the one at once, t → 0, in every
     /// model; [`Rubber::relaxed`] is the one of later.
+    #[doc(hidden)]
     pub prony: Option<Prony>,
 }
 
@@ -123,6 +125,7 @@ impl Rubber {
     /// the series. Softening keeps its shape: its m, an energy, goes with the law. A bulk modulus
     /// stays.
     #[must_use]
+    #[doc(hidden)]
     pub fn relaxed(self, held: Held) -> Self {
         let Some(prony) = self.prony else { return self };
         Self {
@@ -173,6 +176,7 @@ impl Rubber {
 
     /// How a muscle that was cycled before is softer, and the pressure in MPa at which it was;
     /// `None` where it was not.
+    #[doc(hidden)]
     pub fn conditioned(&self) -> Option<(OgdenRoxburgh, f64)> {
         match self.conditioned? {
             Conditioned::Pressure(pressure_mpa) => Some((self.softening?, pressure_mpa)),
@@ -182,6 +186,7 @@ impl Rubber {
 
     /// How rubber that was stretched before, all of it alike, is softer, and the largest energy W_m
     /// in MPa that it has seen.
+    #[doc(hidden)]
     pub fn conditioned_alike(&self) -> Option<(OgdenRoxburgh, f64)> {
         match self.conditioned? {
             Conditioned::Strain { strain } => {

@@ -111,6 +111,7 @@ pub trait LawConstants: RubberLaw + Sized {
 
     /// How an input deck for Abaqus or CalculiX writes the law; `None` where those have no such
     /// law.
+    #[doc(hidden)]
     fn card(&self) -> Option<HyperelasticCard> {
         None
     }

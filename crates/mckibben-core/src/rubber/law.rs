@@ -43,7 +43,7 @@ impl Law {
     }
 
     /// The law of a name, without the values of its constants.
-    pub fn kind_named(name: &str) -> Option<&'static LawKind> {
+    pub(crate) fn kind_named(name: &str) -> Option<&'static LawKind> {
         Self::KINDS.iter().find(|k| k.name == name)
     }
 
@@ -67,6 +67,7 @@ impl Law {
     }
 
     /// The constants with their values.
+    #[doc(hidden)]
     pub fn constants(&self) -> Vec<ConstantValue> {
         let kind = self.kind();
         let count = kind.constants.len();

@@ -21,23 +21,18 @@ mod written;
 
 pub use check::{LawFault, check_law};
 pub use compound::{Bulk, Conditioned, Rubber};
-pub use constant::{Constant, ConstantValue, LawConstants, LawKind};
+pub use constant::{Constant, ConstantValue, HyperelasticCard, LawConstants, LawKind};
 pub use custom::CustomLaw;
+pub use form::Form;
 pub use invariants::{InvariantDerivatives, InvariantLaw};
+pub use law::LawVisitor;
 pub use laws::*;
 pub use library::{LibraryError, RubberEntry, RubberFit};
 pub use stability::{
-    MUSCLE_AXIAL_STRETCH, MUSCLE_HOOP_STRETCH, biaxial_unstable_from, is_stable_at,
-    muscle_unstable_from,
+    MUSCLE_AXIAL_STRETCH, MUSCLE_HOOP_STRETCH, biaxial_unstable_from, is_stable_at, log_hessian,
+    muscle_states, muscle_unstable_from,
 };
-#[doc(hidden)]
-pub use {
-    constant::HyperelasticCard,
-    form::Form,
-    law::LawVisitor,
-    stability::{log_hessian, muscle_states},
-    written::law_of,
-};
+pub use written::law_of;
 
 /// Energy and derivatives in the three principal stretches taken as independent variables.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -129,6 +124,7 @@ pub trait RubberLaw: Sync {
     }
 
     /// Hands `visitor` the law by its own type, so that loops inside are compiled for it.
+    #[doc(hidden)]
     fn visit<V: LawVisitor>(&self, visitor: V) -> V::Output
     where
         Self: Sized,

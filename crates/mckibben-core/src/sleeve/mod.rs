@@ -22,7 +22,6 @@ mod row;
 
 pub use helix::{Helix, NEUTRAL_ANGLE_DEG};
 pub use library::SleeveEntry;
-#[doc(hidden)]
 pub use {library::Material, row::SleeveRow};
 
 use crate::refused::Refused;

@@ -8,6 +8,7 @@ mod choice;
 mod demand;
 mod design;
 mod design_grid;
+mod every_field;
 mod extensile;
 mod joint;
 mod tubes;

@@ -27,6 +27,7 @@ pub struct ExportTarget {
     pub loses: &'static str,
     #[serde(skip)]
     make: fn(&ExportedMuscle) -> Result<Artefact>,
+    /// Makes the files of a joint.
     #[serde(skip)]
     pub joint: fn(&ExportedJoint) -> Result<Artefact>,
 }

@@ -113,6 +113,7 @@ pub struct Body {
     pub control: Control,
     /// Sums of the last assembly.
     pub totals: Totals,
+    /// The last assembly.
     pub assembled: Assembled,
     pub(super) end: EndSystem,
     /// The last step.

@@ -10,17 +10,13 @@ pub(crate) mod helices;
 mod revolve;
 mod series;
 mod stations;
-#[doc(hidden)]
 pub mod vtu;
 
 pub use deck::{deck, increments};
+pub use eighth::Extent;
 pub use series::{VtuFile, VtuSeries};
+pub use stations::{FIELDS, Field, Stations};
 pub use vtu::VtuError;
-#[doc(hidden)]
-pub use {
-    eighth::Extent,
-    stations::{FIELDS, Field, Stations},
-};
 
 use crate::axisymmetric::Section;
 use vtu::Grid;

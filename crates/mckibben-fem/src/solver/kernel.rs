@@ -22,6 +22,7 @@ const COPIED: (usize, usize) = (4, 48);
 /// A matrix by columns from its first number on.
 #[derive(Clone, Copy)]
 pub struct Matrix<'a> {
+    /// Its numbers.
     pub values: &'a [f64],
     /// From column to column.
     pub stride: usize,
@@ -44,11 +45,17 @@ pub type Pivots<'a> = Option<Matrix<'a>>;
 /// A product A D Bᵀ: its factors, the rows and columns of C, the depth of A and B.
 #[derive(Clone, Copy)]
 pub struct Product<'a> {
+    /// A.
     pub a: Matrix<'a>,
+    /// B.
     pub b: Matrix<'a>,
+    /// D.
     pub d: Pivots<'a>,
+    /// Of A and C.
     pub rows: usize,
+    /// Of C: the rows of B.
     pub columns: usize,
+    /// Columns of A and B.
     pub depth: usize,
     /// Whether C keeps what it holds.
     pub keep: bool,
@@ -81,7 +88,7 @@ impl Kernel {
         columns(if self.width == Width::Eight { 8 } else { 4 })
     }
 
-    /// C = [C] − A D Bᵀ.
+    /// C = \[C\] − A D Bᵀ.
     pub fn product(&mut self, c: (&mut [f64], usize), factors: Product<'_>) {
         on_width(self.width, (&mut self.copy, &mut self.strip), c, factors);
     }
@@ -95,8 +102,11 @@ impl Kernel {
 /// A small triangle t below its diagonal, with what each column is multiplied by.
 #[derive(Default)]
 pub struct Triangle {
+    /// Its columns.
     pub count: usize,
+    /// t below the diagonal, by columns.
     pub below: [[f64; STRIP]; STRIP],
+    /// s: what each column is multiplied by.
     pub share: [f64; STRIP],
 }
 

@@ -137,6 +137,8 @@ impl Symbolic {
         self.first_value.last().copied().unwrap_or(0)
     }
 
+    /// The supernodes of a pattern whose columns have the same rows below; none where its numbers
+    /// are too many.
     pub fn fundamental(pattern: &Pattern) -> Option<Self> {
         let n = pattern.dimension();
         let mut begin = vec![];

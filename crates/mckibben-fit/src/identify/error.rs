@@ -18,7 +18,11 @@ pub enum IdentifyError {
     Cancelled(#[from] Cancelled),
     /// Data that cannot be fitted.
     #[error(transparent)]
-    Data(#[from] DataError),
+    Data(
+        #[doc(hidden)]
+        #[from]
+        DataError,
+    ),
     /// Data that no muscle of this size gives.
     #[error("{0}")]
     Implausible(String),
@@ -33,7 +37,7 @@ pub enum IdentifyError {
     Model(ModelError),
     /// No minimum.
     #[error("{0}; fix what the data cannot determine")]
-    Estimate(EstimateError),
+    Estimate(#[doc(hidden)] EstimateError),
 }
 
 /// Why data cannot be fitted.

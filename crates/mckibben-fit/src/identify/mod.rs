@@ -19,24 +19,17 @@ mod shown;
 mod signs;
 mod values;
 
-pub use crate::measured::{DataPoint, Quantity, mean_of_data, read_data};
-pub use bench::written as written_bench;
+pub use crate::measured::{DataPoint, Quantity, Section, mean_of_data, read_data};
+pub use bench::{left_over, written as written_bench};
 pub(crate) use error::Result;
 pub use error::{DataError, IdentifyError};
-pub use parameter::Target;
+pub use parameter::{ParameterError, Target, target_and_numbers};
 pub use posterior::{Posterior, PosteriorRequest};
+pub use pulls::{Found, Pulls, start};
 pub use result::{Identification, Identified, PointFit, Spread};
-pub use run::{IdentificationRequest, identify};
+pub use run::{IdentificationRequest, free_target, identify, pulls_and_slack};
+pub use signs::doubts;
 pub use values::with_values;
-#[doc(hidden)]
-pub use {
-    crate::measured::Section,
-    bench::left_over,
-    parameter::{ParameterError, target_and_numbers},
-    pulls::{Found, Pulls, start},
-    run::{free_target, pulls_and_slack},
-    signs::doubts,
-};
 
 use mckibben_core::{
     model::{ForceModel, Result as ModelResult},

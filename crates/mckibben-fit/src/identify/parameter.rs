@@ -25,7 +25,7 @@ pub enum Target {
     /// What the load cell shows without a pull: of the bench, not of the muscle.
     ForceOffset,
     /// A measure of the muscle.
-    Measure(&'static Measure),
+    Measure(#[doc(hidden)] &'static Measure),
 }
 
 /// Names that are neither of the law nor of a measure; some have a second spelling.
@@ -52,6 +52,7 @@ fn measures() -> impl Iterator<Item = (&'static Measure, &'static Identify)> {
 pub struct ParameterError(pub(crate) String);
 
 impl Target {
+    /// All constants and measures that a muscle states.
     pub fn all(muscle: &Muscle) -> Vec<Target> {
         let laws = (0..muscle.tube().rubber.law.values().len()).map(Law);
         let measures = measures().map(|(m, _)| Target::Measure(m));
@@ -209,7 +210,6 @@ fn form(given: &str, form: &str) -> ParameterError {
 }
 
 /// The target of a word, and the numbers behind it.
-#[doc(hidden)]
 pub fn target_and_numbers(
     text: &str,
     muscle: &Muscle,

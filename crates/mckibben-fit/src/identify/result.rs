@@ -42,6 +42,7 @@ pub struct Identified {
 /// A point with the residual of the model.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct PointFit {
+    /// The point.
     pub point: DataPoint,
     /// Model less measured, N.
     pub residual_n: f64,
@@ -84,6 +85,7 @@ pub struct Identification {
     #[serde(rename = "degrees_of_freedom")]
     pub freedom: usize,
     /// Residuals by branch and by table.
+    #[doc(hidden)]
     pub spreads: Vec<Spread>,
     /// Points that were left out because the muscle was slack.
     #[serde(skip)]
@@ -102,6 +104,7 @@ pub struct Identification {
     pub notes: Vec<String>,
     /// The bench of the muscle, where points are of it: the ± that holds there.
     #[serde(skip)]
+    #[doc(hidden)]
     pub bench: Option<Bench>,
 }
 
@@ -116,6 +119,7 @@ impl Identification {
         }
     }
 
+    /// What was found of a constant; none where it was not sought.
     pub fn parameter(&self, target: Target) -> Option<&Identified> {
         self.parameters.iter().find(|p| p.target == Some(target))
     }

@@ -38,8 +38,11 @@ pub struct IdentificationRequest<'a> {
     pub fixed: &'a [(Target, f64)],
     /// Lowest and highest values.
     pub bounds: &'a [(Target, (f64, f64))],
+    /// What was measured.
     pub points: &'a [DataPoint],
+    /// Makes the model of a muscle.
     pub build: &'a Build<'a>,
+    /// Hears how far it is, and may end it.
     pub progress: &'a dyn Progress,
     /// Whether forces of zero and below are measurements: by default the muscle was slack there.
     pub two_sided: bool,

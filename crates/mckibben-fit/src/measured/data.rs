@@ -96,6 +96,7 @@ pub struct DataPoint {
     pub weight: f64,
     /// Measures of its muscle.
     #[serde(flatten)]
+    #[doc(hidden)]
     pub section: Section,
     /// Line in its file, from 1; 0 where it comes from no file.
     pub line: u64,

@@ -5,13 +5,11 @@ mod over_time;
 mod read;
 mod write;
 
-pub use data::{DataPoint, MeasuredPoint, Quantity};
+pub use data::{
+    DataPoint, MeasuredPoint, Quantity, Section, distinct, mean_of_branches, mean_of_data, means,
+    same,
+};
 pub use over_time::PressureLog;
 pub(crate) use over_time::runs;
-pub use read::{read_data, read_measured, read_points};
+pub use read::{PointOptions, read_data, read_measured, read_points};
 pub use write::table;
-#[doc(hidden)]
-pub use {
-    data::{Section, distinct, mean_of_branches, mean_of_data, means, same},
-    read::PointOptions,
-};

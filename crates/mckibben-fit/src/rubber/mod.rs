@@ -29,7 +29,8 @@ mod standing;
 mod warning;
 
 pub use data::{read_tension, read_tests};
-pub use fitted::FittedLaw;
+pub use fitted::{FittedLaw, LawQuality, Parameter, StressErrors};
+pub use mckibben_core::rubber::Form;
 use mckibben_core::{
     by_number::SortByNumber,
     cancel::{self, Cancelled},
@@ -38,18 +39,12 @@ use mckibben_core::{
     rubber::MUSCLE_HOOP_STRETCH,
 };
 pub use point::{Mode, TensionPoint};
+pub use problem::Measure;
 use problem::Problem;
 use serde::{Deserialize, Serialize};
-pub use standing::TensionFit;
+pub use standing::{DECIDED_AICC, TensionFit};
 use thiserror::Error;
 pub(crate) use warning::MODULI;
-#[doc(hidden)]
-pub use {
-    fitted::{LawQuality, Parameter, StressErrors},
-    mckibben_core::rubber::Form,
-    problem::Measure,
-    standing::DECIDED_AICC,
-};
 
 /// Fits laws to points.
 ///

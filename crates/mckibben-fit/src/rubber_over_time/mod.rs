@@ -7,7 +7,6 @@ mod bar;
 mod fit_prony;
 mod fit_softening;
 
-#[doc(hidden)]
 pub use bar::Bar;
 pub use bar::{TimePoint, read_history};
 pub use fit_prony::{BranchFit, PronyFit, fit_prony};

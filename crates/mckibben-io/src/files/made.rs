@@ -1,10 +1,13 @@
 //! Files that a crate makes: what each is, and what is in it. Where they go is decided elsewhere.
 
+/// A file that was made, and not yet written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct File {
+    /// Its name, in the folder of all that were made with it.
     pub name: String,
     /// What it is, in a few words.
     pub about: &'static str,
+    /// What is in it.
     pub content: Content,
 }
 
@@ -31,7 +34,9 @@ impl File {
 /// What is in a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Content {
+    /// UTF-8.
     Text(String),
+    /// Anything else.
     Bytes(Vec<u8>),
 }
 

@@ -17,6 +17,7 @@ impl Burst {
     ///
     /// # Errors
     /// Those of the model.
+    #[doc(hidden)]
     pub fn stretched_proof_mpa(
         &self,
         evaluation: &mut Evaluation<'_>,

@@ -19,6 +19,7 @@ pub struct FileError {
     /// The file, where the text came from one.
     pub file: Option<PathBuf>,
     /// Its place.
+    #[doc(hidden)]
     pub place: Option<TextPosition>,
     /// Dotted key, such as `tube.wall_thickness`.
     pub key: Option<String>,

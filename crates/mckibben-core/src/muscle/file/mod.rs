@@ -33,18 +33,13 @@ mod bad_files;
 #[cfg(test)]
 mod tests;
 
-pub use error::FileError;
-pub use read::parse_muscle;
+pub use error::{FileError, TextPosition};
+pub use keys::{Keys, schema_of};
+pub use material::named;
+pub use read::{MuscleFile, parse_muscle};
+pub use source::{MAX_BYTES, Source};
+pub use with::with_keys;
 pub use write::to_toml;
-#[doc(hidden)]
-pub use {
-    error::TextPosition,
-    keys::{Keys, schema_of},
-    material::named,
-    read::MuscleFile,
-    source::{MAX_BYTES, Source},
-    with::with_keys,
-};
 
 use super::Muscle;
 use std::{fmt, path::Path, str::FromStr};

@@ -403,6 +403,7 @@ impl Parts {
     }
 }
 
+#[doc(hidden)]
 impl Muscle {
     /// The parts.
     pub fn parts(&self) -> &Parts {

@@ -19,8 +19,9 @@ macro_rules! laws {
         #[derive(Debug, Clone, PartialEq)]
         #[non_exhaustive]
         pub enum Law {
-            $(#[doc = concat!("See [`", stringify!($law), "`].")] $law($law),)*
+            $(#[doc(hidden)] $law($law),)*
             /// A law of your own ([`Law::custom`]).
+            #[doc(hidden)]
             Custom(CustomLaw),
         }
 
@@ -34,9 +35,11 @@ macro_rules! laws {
 
         impl Law {
             /// All laws, without the values of their constants.
+            #[doc(hidden)]
             pub const KINDS: &'static [LawKind] = &[$(LawKind::new::<$law>()),*];
 
             /// The law without the values of its constants.
+            #[doc(hidden)]
             pub fn kind(&self) -> &'static LawKind {
                 match self {
                     $(Law::$law(_) => const { &LawKind::new::<$law>() },)*
@@ -61,6 +64,7 @@ macro_rules! laws {
             }
 
             /// See [`LawConstants::card`].
+            #[doc(hidden)]
             pub fn card(&self) -> Option<HyperelasticCard> {
                 match self {
                     $(Law::$law(law) => law.card(),)*

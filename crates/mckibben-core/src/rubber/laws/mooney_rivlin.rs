@@ -73,7 +73,7 @@ impl Law {
     /// The law as Mooney–Rivlin, where it is that or neo-Hookean (C10 = μ/2, C01 = 0): formulas in
     /// closed form exist for these two.
     #[inline(always)]
-    pub fn as_mooney_rivlin(&self) -> Option<MooneyRivlin> {
+    pub(crate) fn as_mooney_rivlin(&self) -> Option<MooneyRivlin> {
         match *self {
             Law::MooneyRivlin(law) => Some(law),
             Law::NeoHookean(NeoHookean { mu_mpa }) => Some(MooneyRivlin {

@@ -19,12 +19,11 @@ mod window;
 pub use entry::{RubberEntry, RubberFit};
 pub use error::LibraryError;
 pub(crate) use named::following;
-pub use named::{elongation_at_break, find, find_for, find_up_to};
-#[doc(hidden)]
-pub use {
-    named::{COVERING, follows, stiffness_factor, without_name},
-    window::{Standing, Window, WindowLaw},
+pub use named::{
+    COVERING, elongation_at_break, find, find_for, find_up_to, follows, stiffness_factor,
+    without_name,
 };
+pub use window::{Standing, Window, WindowLaw};
 
 use super::biaxial_unstable_from;
 pub use crate::catalogue::plain;

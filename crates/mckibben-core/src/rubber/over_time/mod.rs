@@ -12,7 +12,6 @@ mod softening;
 pub use erf::{erf, erf_integral};
 pub use prony::{Branch, Prony};
 pub use softening::OgdenRoxburgh;
-#[doc(hidden)]
 pub use {prony::Held, softening::Softened};
 
 use crate::refused::Refused;

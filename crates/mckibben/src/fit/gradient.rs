@@ -57,14 +57,6 @@ pub enum GradientError {
 /// the derivative.
 const STEP: f64 = 1e-3;
 
-/// The constant or measure of a muscle by its name in the muscle file.
-///
-/// # Errors
-/// [`GradientError`] with the nearest name.
-pub fn parameter(muscle: &Muscle, name: &str) -> Result<Target, GradientError> {
-    Ok(Target::parse(name, muscle)?)
-}
-
 /// A muscle with other values of constants and measures, all others held as derivatives hold them.
 ///
 /// # Errors
@@ -76,7 +68,7 @@ pub fn with_parameters(
     let held = stated(muscle)?;
     let list: Result<Vec<_>, GradientError> = values
         .iter()
-        .map(|(name, value)| Ok((parameter(muscle, name.as_ref())?, *value)))
+        .map(|(name, value)| Ok((Target::parse(name.as_ref(), muscle)?, *value)))
         .collect();
     Ok(with_values(&held, &list?)?.with_bench_of(muscle))
 }
@@ -97,6 +89,7 @@ fn stated(muscle: &Muscle) -> Result<Muscle, MuscleError> {
 ///
 /// # Errors
 /// [`ModelError`] where it has no answer.
+#[doc(hidden)]
 pub fn by_point(model: &mut Evaluation<'_>, p: f64, e: f64) -> Result<(f64, f64), ModelError> {
     let response = model.response(p, e)?;
     let by_pressure = model.force_per_pressure_mm2(&response)?;
@@ -109,6 +102,7 @@ pub fn by_point(model: &mut Evaluation<'_>, p: f64, e: f64) -> Result<(f64, f64)
 ///
 /// # Errors
 /// [`GradientError`] where one of them has none.
+#[doc(hidden)]
 pub fn by_parameters(
     (choice, model): (Option<&Model>, &dyn ForceModel),
     options: Options,
@@ -179,7 +173,7 @@ impl MuscleModel {
     ) -> Result<Gradient, GradientError> {
         let list = parameters
             .iter()
-            .map(|name| parameter(self.muscle(), name))
+            .map(|name| Target::parse(name, self.muscle()))
             .collect::<Result<Vec<_>, _>>()?;
         let force_n = self.force_n(pressure_mpa, contraction)?;
         let (choice, model, options) = (self.choice.clone(), self.shared(), self.options());

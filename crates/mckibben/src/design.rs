@@ -1,12 +1,17 @@
-//! Design with the models that every front end takes.
+//! From a specification to ranked muscles, with the models that every front end takes.
 
 use crate::Model;
 use mckibben_core::{model::ModelKind, muscle::Muscle, progress::Silent};
-use mckibben_design::{
-    Build, Models, Outcome, ScreenedMuscles, Spec, SpecError, design_with, near_the_box,
+use mckibben_design::{Build, Models, ScreenedMuscles, design_with, near_the_box};
+
+pub use mckibben_design::{
+    BraidChoice, Bundle, Candidate, CandidatePoint, Check, Choice, ChoiceKind, Demand, Ends,
+    JointDemand, Limit, Limits, Objective, OperatingPoint, Outcome, Precision, Product, Rejected,
+    Relaxation, Spec, SpecError, TorqueWanted, TubePart,
 };
 
 /// Which model ranks the muscles of a search, and which one decides in the end.
+#[doc(hidden)]
 pub struct Deciding {
     /// What searches the muscles that it is good for, where the other one only decides.
     pub quick: Option<(Model, ScreenedMuscles)>,
