@@ -1,11 +1,7 @@
 //! From a specification to ranked muscles, with the models that every front end takes.
 
 use crate::Model;
-use mckibben_core::{
-    model::{ForceModel, ModelError, ModelKind},
-    muscle::Muscle,
-    progress::Silent,
-};
+use mckibben_core::{model::ModelKind, muscle::Muscle, progress::Silent};
 use mckibben_design::{Build, Models, ScreenedMuscles, design_with, near_the_box};
 
 pub use mckibben_design::{
@@ -32,13 +28,13 @@ impl Deciding {
     /// Finite elements decide of what a closed form has found, of muscles that pull or push.
     pub fn usual(extends: bool) -> Self {
         // `universal` was not fitted for muscles that extend.
-        let quick: (ModelKind, ScreenedMuscles) = if extends {
-            (ModelKind::ThickWall, |_| true)
+        let quick: (Model, ScreenedMuscles) = if extends {
+            (ModelKind::ThickWall.into(), |_| true)
         } else {
-            (ModelKind::Universal, near_the_box)
+            (Model::UNIVERSAL, near_the_box)
         };
         Self {
-            quick: Some((quick.0.into(), quick.1)),
+            quick: Some(quick),
             model: Model::FE,
         }
     }
@@ -51,7 +47,10 @@ impl Deciding {
             .as_ref()
             .map(|quick| (&decide as &Build<'_>, quick.1));
         work(Models {
-            screen: &|muscle| self.look(muscle),
+            screen: &|muscle| match &self.quick {
+                Some((quick, is_good)) if is_good(muscle) => quick.build(muscle),
+                _ => self.model.bound(muscle),
+            },
             settle,
         })
     }
@@ -62,14 +61,6 @@ impl Deciding {
             .as_ref()
             .map_or(&self.model, |quick| &quick.0)
             .name()
-    }
-
-    /// The model that searches, bound to a muscle.
-    fn look(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-        match &self.quick {
-            Some((quick, is_good)) if is_good(muscle) => quick.build(muscle),
-            _ => self.model.bound(muscle),
-        }
     }
 }
 
