@@ -120,14 +120,12 @@ impl Model {
     /// # Errors
     /// [`ModelError::Elements`].
     pub fn admit(&self, muscle: &Muscle) -> Result<(), ModelError> {
-        match self {
-            #[cfg(feature = "fem")]
-            Self::Elements(elements) => Ok(elements.admit(muscle)?),
-            _ => {
-                let _ = muscle;
-                Ok(())
-            }
+        #[cfg(feature = "fem")]
+        if let Self::Elements(elements) = self {
+            elements.admit(muscle)?;
         }
+        let _ = muscle;
+        Ok(())
     }
 
     /// A muscle that it admits, bound to it.

@@ -23,13 +23,13 @@ impl Deciding {
     /// Finite elements decide of what a closed form has found, of muscles that pull or push.
     pub fn usual(extends: bool) -> Self {
         // `universal` was not fitted for muscles that extend.
-        let quick: (ModelKind, ScreenedMuscles) = if extends {
-            (ModelKind::ThickWall, |_| true)
+        let quick: (Model, ScreenedMuscles) = if extends {
+            (ModelKind::ThickWall.into(), |_| true)
         } else {
-            (ModelKind::Universal, near_the_box)
+            (Model::UNIVERSAL, near_the_box)
         };
         Self {
-            quick: Some((quick.0.into(), quick.1)),
+            quick: Some(quick),
             model: Model::FE,
         }
     }

@@ -109,9 +109,8 @@ impl JointModel {
         pressures_mpa: &[f64],
         angle_deg: f64,
     ) -> Result<JointPoint> {
-        let workspaces = &mut self.workspaces;
         self.joint
-            .point_at(workspaces, pressures_mpa, angle_deg, turning)
+            .point_at(&mut self.workspaces, pressures_mpa, angle_deg, turning)
     }
 
     /// Where it rests at pressures, with a torque from outside that turns to +, by rising angle.

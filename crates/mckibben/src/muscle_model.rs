@@ -41,7 +41,8 @@ use std::{
 #[derive(Clone)]
 pub struct MuscleModel {
     model: Arc<dyn ForceModel>,
-    /// What the model was made by; nothing of one of your own.
+    /// What the model was made by, for derivatives; nothing of one of your own.
+    #[cfg_attr(not(feature = "fit"), expect(dead_code))]
     pub(crate) choice: Option<Model>,
     options: Options,
     /// Follows from the model alone; sought when it is asked for.

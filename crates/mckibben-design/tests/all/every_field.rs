@@ -9,7 +9,7 @@ use mckibben_core::{
     units::Values,
 };
 use mckibben_design::{
-    BraidChoice, Build, Demand, JointDemand, Lift, OperatingPoint, Spec, TorqueWanted, design,
+    BraidChoice, Build, Demand, JointDemand, OperatingPoint, Spec, TorqueWanted, design,
 };
 
 const NUMBERS: [f64; 12] = [
@@ -72,35 +72,33 @@ const NOT_CHECKED: [&str; 5] = [
 /// What holds a NaN is refused: no comparison with it says anything.
 const FIELDS: &[(&str, Change)] = &[
     ("force", |s, v| {
-        s.wanted = vec![OperatingPoint {
+        s.wanted = points(OperatingPoint {
             force_n: v,
             contraction: 0.1,
-        }]
-        .into()
+        })
     }),
     ("contraction", |s, v| {
-        s.wanted = vec![OperatingPoint {
+        s.wanted = points(OperatingPoint {
             force_n: 300.0,
             contraction: v,
-        }]
-        .into()
+        })
     }),
     ("load", |s, v| {
-        s.wanted = Demand::Load {
+        s.wanted = Demand::Stroke {
             load: Load::Force { force_n: v },
-            way: Lift::Stroke(10.0),
+            stroke_mm: 10.0,
         }
     }),
     ("stroke", |s, v| {
-        s.wanted = Demand::Load {
+        s.wanted = Demand::Stroke {
             load: Load::Force { force_n: 100.0 },
-            way: Lift::Stroke(v),
+            stroke_mm: v,
         }
     }),
     ("way", |s, v| {
-        s.wanted = Demand::Load {
+        s.wanted = Demand::Contraction {
             load: Load::Force { force_n: 100.0 },
-            way: Lift::Contraction(v),
+            contraction: v,
         }
     }),
     ("torque", |s, v| s.wanted = joint([v, 10.0, 30.0, 25.0])),
@@ -109,10 +107,6 @@ const FIELDS: &[(&str, Change)] = &[
         s.wanted = joint([2.0, 10.0, v, 25.0])
     }),
     ("radius", |s, v| s.wanted = joint([2.0, 10.0, 30.0, v])),
-    ("radius_mm", |s, v| {
-        s.wanted = joint([2.0, 10.0, 30.0, 25.0]);
-        s.radius_mm = Some(list(v));
-    }),
     ("pitch_mm", |s, v| s.pitch_mm = Some(v)),
     ("max_pressure_mpa", |s, v| s.max_pressure_mpa = v),
     ("supply_share", |s, v| s.supply_share = v),
@@ -164,6 +158,10 @@ const FIELDS: &[(&str, Change)] = &[
     ("certainty", |s, v| s.certainty = Some(v)),
 ];
 
+fn points(one: OperatingPoint) -> Demand {
+    Demand::Points { points: vec![one] }
+}
+
 fn joint([torque_nm, angle_deg, largest_angle_deg, radius_mm]: [f64; 4]) -> Demand {
     Demand::Joint(JointDemand {
         torques: vec![TorqueWanted {
@@ -171,7 +169,7 @@ fn joint([torque_nm, angle_deg, largest_angle_deg, radius_mm]: [f64; 4]) -> Dema
             angle_deg,
         }],
         largest_angle_deg,
-        radius_mm,
+        radii_mm: list(radius_mm),
         beside: true,
     })
 }

@@ -176,9 +176,9 @@ impl MuscleModel {
             .map(|name| Target::parse(name, self.muscle()))
             .collect::<Result<Vec<_>, _>>()?;
         let force_n = self.force_n(pressure_mpa, contraction)?;
-        let (choice, model, options) = (self.choice.clone(), self.shared(), self.options());
+        let (model, options) = (self.shared(), self.options());
         let by_parameters = by_parameters(
-            (choice.as_ref(), &*model),
+            (self.choice.as_ref(), &*model),
             options,
             &mut self.workspace,
             (pressure_mpa, contraction),
@@ -197,7 +197,7 @@ impl MuscleModel {
         let mut all = named.zip(values.iter().chain(&gradient.by_parameters));
         match all.find(|(_, value)| !value.is_finite()) {
             Some((by, _)) => Err(GradientError::None {
-                model: self.shared().info().name.to_string(),
+                model: model.info().name.to_string(),
                 by: (*by).to_owned(),
                 pressure_mpa,
                 contraction,
