@@ -46,7 +46,7 @@ class Campaign(_api.CampaignCommands):
             self.plan = plan
         elif plan is not None:
             with _errors.blamed("plan"):
-                self.plan = _native.read(plan, "text")
+                self.plan = _native.read(place("plan", plan), "text")
 
     @property
     def _parts(self) -> str:

@@ -314,7 +314,9 @@ def answered(
     except MckibbenError as error:
         # What is in quotes is what was given.
         quoted = re.split('["`]', error.message)[1:2]
-        for name, value in given.items():
+        muscle = given.get("muscle")
+        measures = muscle if isinstance(muscle, Mapping) else {}
+        for name, value in {**given, **measures}.items():
             items = value if isinstance(value, (list, tuple)) else [value]
             if any(str(item) in quoted for item in items):
                 error.field = error.field or name
