@@ -13,7 +13,7 @@ import mckibben as mk
 from mckibben import _api
 
 BAD = [float("nan"), -1.0, "nonsense", None, object(), [object()], b"1", {}]
-MEASURES = {"outer_diameter_mm": 20, "wall_mm": 1.5, "length_mm": 220}
+MEASURES: dict[str, Any] = {"outer_diameter_mm": 20, "wall_mm": 1.5, "length_mm": 220}
 TABLES: dict[str, Any] = {
     "joint": {"radius_mm": 25, "range_deg": (-60, 60), "inertia_kg_m2": 0.03},
     "contraction_at_neutral": 0.12,
@@ -120,7 +120,8 @@ def test_an_error_names_the_argument_to_blame(
 ) -> None:
     """Python's own errors are of names that there are not, and of what is no text, number or object at all."""
     monkeypatch.chdir(tmp_path)
-    wrong, refused = [], 0
+    wrong: list[Any] = []
+    refused = 0
     for call, given in calls(root):
         call(**given)
         title = getattr(call, "__name__", type(call).__name__)
