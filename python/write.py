@@ -112,8 +112,12 @@ COLUMNS = {
     "list[float]": "Array",
     "str": "list[str]",
 }
-# Types of what may be given, by the names of fields.
+# Types of what may be given, by the names of fields and of definitions.
 GIVEN = {
+    "TextFile": "FileLike",
+    "NameOrFile": "FormulaLike",
+    "Choice": "Choice",
+    "Choice2": "Choice",
     "muscle": "MuscleLike",
     "rubber": "RubberLike",
     "models": "FormulaLike | Sequence[FormulaLike]",
@@ -208,14 +212,8 @@ def type_of(schema: Schema, is_answer: bool) -> str:
     if not isinstance(schema, dict) or not schema:
         return "Any"
     if name := reference(schema):
-        known = {
-            "TextFile": "FileLike",
-            "NameOrFile": "FormulaLike",
-            "Choice": "Choice",
-            "Choice2": "Choice",
-        }.get(name)
-        if not is_answer and known:
-            return known
+        if not is_answer and name in GIVEN:
+            return GIVEN[name]
         if properties(schema):
             return NAMES.get(name, name) if is_answer else "Mapping[str, Plain]"
         return type_of(defined(schema), is_answer)
@@ -245,7 +243,7 @@ def type_of(schema: Schema, is_answer: bool) -> str:
 
 def muscle() -> dict[str, Schema]:
     """The fields of a muscle by which it is made and changed."""
-    fields = properties({"$ref": "#/$defs/MuscleFields"})
+    fields = properties(schemas()["$defs"]["MuscleFields"])
     return {n: f for n, f in fields.items() if n not in ("file", "tube", "with")}
 
 
@@ -427,11 +425,10 @@ def fields_class() -> str:
     """What makes a muscle of its fields, and the fields as attributes."""
     fields = muscle()
     always = ("outer_diameter_mm", "wall_mm", "length_mm")
-    made = {n: parameter(n, field) for n, field in fields.items()}
-    made |= {n: made[n].removesuffix(" | None = None") for n in always}
+    made = [parameter(n, f, "!" if n in always else "") for n, f in fields.items()]
     out = [
         block(
-            f"def __init__({', '.join(['self: Any', '*', *made.values()])}) -> None",
+            f"def __init__({', '.join(['self: Any', '*', *made])}) -> None",
             [section("Parameters", fields), TEXTS["MuscleFields"]],
             'self._make({name: value for name, value in locals().items() if name != "self"})',
         )
@@ -459,10 +456,9 @@ def record(name: str, schema: Schema, rows: str | None) -> str:
     # Those that are always there first, as in any dataclass.
     for field, value in sorted(fields.items(), key=lambda f: f[0] not in always):
         kind = type_of(value, True)
-        optional = field not in always
-        if optional and not kind.endswith("None"):
-            kind += " | None"
-        lines.append(f"{named(field)}: {kind}" + (" = None" if optional else ""))
+        if field not in always:
+            kind = kind.removesuffix(" | None") + " | None = None"
+        lines.append(f"{named(field)}: {kind}")
     if rows:
         lines.append(columns(fields[rows.split()[0]]))
     about = wrapped(doc(schema) or name)
@@ -471,7 +467,7 @@ def record(name: str, schema: Schema, rows: str | None) -> str:
 
 def numbers(head: str, about: str, kind: str, of: str) -> str:
     """The numbers of a definition, all of one type."""
-    fields = properties({"$ref": f"#/$defs/{of}"})
+    fields = properties(schemas()["$defs"][of])
     held = {n: f for n, f in fields.items() if "float" in type_of(f, True)}
     return class_of(head, about, (f"{n}: {kind}" for n in held), held)
 
@@ -503,24 +499,20 @@ def answers() -> dict[str, tuple[Schema, str | None]]:
 def api() -> str:
     made = answers()
     keys = {n: f["x-key"] for n, f in muscle().items() if "x-key" in f}
-    parts = [
-        HEAD,
-        f"__all__ = {json.dumps([*made, 'Solution', 'State'])}\n# Keys of the muscle file, by field.\nKEYS = {json.dumps(keys)}\n# Numbers of a muscle, and of which pair.\nNUMBERS = {ASKED!r}",
-    ]
-    parts += [record(name, *held) for name, held in made.items()]
     own = ("pressure_mpa", "contraction", "muscle")
     how = {n: f for n, f in request("force").items() if n not in own}
-    parts += [
-        keywords("Options", "Which model of a muscle answers, and how.", how),
-        'class Asking(Options, total=False):\n    """How a muscle is asked for numbers."""\n    errors: Literal["raise", "nan"]\n    progress: Progress',
-        keywords("Measures", TEXTS["Measures"], muscle()),
-    ]
     about = (
         "Points of a muscle as arrays of one shape; NaN where a point does not have it."
     )
     known = "Where a simulation is; None what it is not."
     wanted = "Numbers that a muscle is asked for."
-    parts += [
+    parts = [
+        HEAD,
+        f"__all__ = {json.dumps([*made, 'Solution', 'State'])}\n# Keys of the muscle file, by field.\nKEYS = {json.dumps(keys)}\n# Numbers of a muscle, and of which pair.\nNUMBERS = {ASKED!r}",
+        *(record(name, *held) for name, held in made.items()),
+        keywords("Options", "Which model of a muscle answers, and how.", how),
+        'class Asking(Options, total=False):\n    """How a muscle is asked for numbers."""\n    errors: Literal["raise", "nan"]\n    progress: Progress',
+        keywords("Measures", TEXTS["Measures"], muscle()),
         numbers("Solution(_record.Solution)", about, COLUMNS["float"], "Answer"),
         # Of a muscle or of a joint: whoever asks knows which it is, and needs no look at None.
         numbers("State(Record)", known, "float", "MotionSeries"),

@@ -46,7 +46,7 @@ class Campaign(_api.CampaignCommands):
             self.plan = plan
         elif plan is not None:
             with _errors.blamed("plan"):
-                self.plan = _native.read(plan, "text")
+                self.plan = _native.read(place("plan", plan), "text")
 
     @property
     def _parts(self) -> str:
@@ -87,23 +87,13 @@ class Campaign(_api.CampaignCommands):
 
 
 def _on(
-    made: Campaign,
-    executor: Executor,
-    threads: int,
-    shards: int,
-    progress: Progress,
-    overwrite: bool,
+    executor: Executor, made: Campaign, shards: int, progress: Progress, **request: Any
 ) -> None:
     """Computes the shards of a campaign on an executor, and waits for their end."""
     folder = os.path.abspath(made._parts)
     os.makedirs(folder, exist_ok=True)
     stop = os.path.join(folder, f".stop-{os.urandom(8).hex()}")
-    request = {
-        "plan": made.plan,
-        "threads": threads,
-        "output": folder,
-        "overwrite": overwrite,
-    }
+    request |= {"plan": made.plan, "output": folder}
     futures: list[Future[None]] = [
         executor.submit(_shard, {**request, "shard": f"{i}/{shards}"}, stop)
         for i in range(1, shards + 1)
@@ -185,7 +175,14 @@ def campaign(
     """
     made = Campaign(output, plan)
     if executor is not None and not os.path.isfile(made.output):
-        _on(made, executor, threads or 1, shards, progress, overwrite)
+        _on(
+            executor,
+            made,
+            shards,
+            progress,
+            threads=threads or 1,
+            overwrite=overwrite,
+        )
     if executor is None or made._parts != made.output:
         # With an executor all parts are there, and this writes the file.
         made._run(

@@ -125,8 +125,6 @@ TABLES = ("data", "log", "table", "tables", "load_tables")
 
 def of(values: dict[str, Any]) -> MckibbenError:
     """The exception of a problem, as the compiled half hands it over."""
-    from ._api import KEYS
-
     # Commands in the words of Python, and the argument that is to blame.
     for name in ("message", "hint"):
         for there, here in (
@@ -135,7 +133,6 @@ def of(values: dict[str, Any]) -> MckibbenError:
             ("`direction`", "`branch`"),
         ):
             values[name] = re.sub(there, here, values[name])
-    names = ARGUMENTS | {key: name for name, key in KEYS.items()}
     kind, message = KINDS.get(values["kind"], InputError), values["message"]
     said = re.search(
         r"^there is no (command|model|part)\b|^`(\w+)` (?:is missing|is no|has no|needs)"
@@ -144,7 +141,7 @@ def of(values: dict[str, Any]) -> MckibbenError:
         message,
     )
     field: Any = values.get("field") or (said and next(filter(None, said.groups())))
-    values["field"] = names.get(field, field)
+    values["field"] = ARGUMENTS.get(field, field)
     name, _, rest = message.partition(":")
     if name in TABLES or (kind is FileError and name in _TEXTS):
         kind, rest = InputError, rest.strip().replace("tube.material.", "")

@@ -248,7 +248,7 @@ class Joint(_api.JointCommands, _File):
         held, labelled = arrays(("angle_deg", angle_deg), *given)
         mask, (angles, *pressures) = unmasked(held)
         rows = [native.levers(angle, is_nan(errors)) for angle in angles.flat]
-        levers = np.reshape(np.transpose(rows), (-1, *angles.shape))
+        levers = np.transpose(rows).reshape(2 + 3 * len(muscles), *angles.shape)
         torque, slope, *held = np.broadcast_arrays(*levers, *pressures)
         by_pressure = []
         for i, muscle in enumerate(muscles):

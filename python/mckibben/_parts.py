@@ -307,7 +307,7 @@ def load(path: str | os.PathLike[str], kind: type[Any] = object) -> Any:
             tables = _native.toml(held["name"], text)
             of = Drive if "command" in tables else Joint if "joint" in tables else None
             found = of._of(_native.read(path, of._kind)) if of else Muscle._of(held)
-    if not isinstance(found, kind):
+    if not isinstance(found, checked("kind", kind, type)):
         said = f"{path} holds a {type(found).__name__}, not a {kind.__name__}"
         raise FileError(said, field="kind")
     return found

@@ -84,19 +84,17 @@ class Record(Fixed):
         }
 
     def _fields(self) -> dict[str, Any]:
+        # The figure is the same facts once more.
         return {
             name: value
             for name, value in self.__dict__.items()
-            if not name.startswith("_")
+            if name[0] != "_" and name != "figure"
         }
 
     def to_dict(self) -> dict[str, Any]:
         """Plain dicts and lists, as the JSON of the command line."""
-        return {
-            name.rstrip("_"): _unwrapped(value)
-            for name, value in self._fields().items()
-            if name != "figure"
-        }
+        fields = self._fields().items()
+        return {name.rstrip("_"): _unwrapped(value) for name, value in fields}
 
     def to_columns(self) -> dict[str, Any]:
         """The columns of its table: NumPy arrays of numbers, lists of texts. ``polars.DataFrame`` and ``pyarrow.table`` take them."""
@@ -133,11 +131,10 @@ class Record(Fixed):
         return type(self)._read, self._state()
 
     def _key(self) -> Any:
-        # The figure is the same facts once more.
         return json.dumps(self.to_dict(), sort_keys=True)
 
     def __repr__(self) -> str:
-        held = (f"{n}={v!r}" for n, v in self._fields().items() if n != "figure")
+        held = (f"{name}={value!r}" for name, value in self._fields().items())
         return screen(f"{type(self).__name__}({', '.join(held)})")
 
     def _repr_html_(self) -> str:
@@ -160,14 +157,14 @@ class Record(Fixed):
         ax
             Axes to draw on, or a list of them, one for each panel; new ones where they are left out.
         """
-        has_one: Any = self
-        if not hasattr(self, "figure") or not (has_one.figure or self._asked):
+        answer: Any = self
+        if not hasattr(self, "figure") or not (answer.figure or self._asked):
             raise TypeError(f"{type(self).__name__} has no figure")
-        if units or not has_one.figure:
+        if units or not answer.figure:
             command, request = self._asked
             asked = {**request, "figure": units or "MPa"}
-            has_one = self._read(_native.ask(command, asked))
-        return drawn(has_one.figure, ax)
+            answer = self._read(_native.ask(command, asked))
+        return drawn(answer.figure, ax)
 
 
 def _wrapped(kind: type[Record] | None, value: Any) -> Any:

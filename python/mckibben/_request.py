@@ -312,12 +312,17 @@ def answered(
     try:
         found = _native.ask(command, {**request, **drawn}, progress)
     except MckibbenError as error:
-        # What is in quotes is what was given.
+        from ._api import KEYS
+
+        # What is in quotes is what was given, and a measure is named by its key.
         quoted = re.split('["`]', error.message)[1:2]
-        for name, value in given.items():
+        muscle = given.get("muscle")
+        measures = muscle if isinstance(muscle, Mapping) else {}
+        for name, value in {**given, **measures}.items():
             items = value if isinstance(value, (list, tuple)) else [value]
-            if any(str(item) in quoted for item in items):
-                error.field = error.field or name
+            is_quoted = any(str(item) in quoted for item in items)
+            if error.field == KEYS.get(name, "") or (is_quoted and not error.field):
+                error.field = name
         raise
     return kind._read(found, (command, request))
 
@@ -329,7 +334,7 @@ def fields(given: Mapping[str, Any]) -> dict[str, Any]:
         name = argument.rstrip("_")
         if value is None:
             continue
-        if name in TABLES and not isinstance(value, (bool, int)):
+        if name in TABLES:
             items = value if isinstance(value, (list, tuple)) else [value]
             # The program takes one for a list of one.
             with blamed(name):
