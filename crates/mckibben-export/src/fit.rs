@@ -157,7 +157,7 @@ pub fn fit(model: &dyn ForceModel, wanted: BoxRequest) -> Result<Fitted> {
         .force_n(0.0, 0.0)
         .is_ok_and(|f| f.abs() < 1e-6 * blocked_n);
     let mut form = Form {
-        length_m: 1e-3 * model.muscle().length_mm(),
+        length_m: model.muscle().length_mm() / 1e3,
         supply_pa: 1e6 * supply,
         contraction_low: low,
         contraction_high: high,

@@ -65,7 +65,7 @@ impl ExportedJoint {
             let mut muscle =
                 fit_muscle(model, &format!("{name:.36}_{}", i + 1), supply_mpa, &states)?;
             let neutral_m = muscle.form.length_m * (1.0 - held.contraction_at_neutral);
-            muscle.cord_m = 1e-3 * held.path.length_mm(0.0) - neutral_m;
+            muscle.cord_m = held.path.length_mm(0.0) / 1e3 - neutral_m;
             let arm_m = peak(states.iter().map(|s| 1e-3 * s.1.arm_mm.abs()));
             let arm_by_angle_m = peak(states.iter().map(|s| 1e-3 * s.1.arm_by_angle_mm.abs()));
             let force_n = muscle.errors.force_worst_ratio * muscle.blocked_force_n;
@@ -179,7 +179,7 @@ impl ExportedJoint {
                     insertion_mm: [u, v],
                 } => [0.0, x, y, u, v],
             };
-            mm.map(|mm| 1e-3 * mm).to_vec()
+            mm.map(|mm| mm / 1e3).to_vec()
         });
         let inclination = self.joint.link().inclination_deg.to_radians();
         let (torsion, rope) = self.springs();

@@ -5,9 +5,7 @@ pub use mckibben_io::template::render;
 
 /// A number that reads back to the last bit, in any of the hosts' languages.
 pub fn number(value: f64) -> String {
-    // The last digits of a product are noise.
-    let tidy = format!("{value:.14e}").parse().unwrap_or(value);
-    format!("{tidy:e}")
+    format!("{value:e}")
 }
 
 /// A list between brackets, each number by `one`.

@@ -43,7 +43,7 @@ fn tendon(name: &str, way: Way<'_>) -> String {
     match way {
         Some((Path::Pulley { radius_mm }, hinge)) => format!(
             "<fixed name=\"{name}\"> <joint joint=\"{hinge}\" coef=\"{}\"/> </fixed>",
-            number(-1e-3 * radius_mm)
+            number(radius_mm / -1e3)
         ),
         _ => format!(
             "<spatial name=\"{name}\"> <site site=\"{name}_origin\"/> <site \
@@ -113,12 +113,12 @@ fn make(muscle: &ExportedMuscle) -> Result<Artefact> {
 fn link_places(joint: &ExportedJoint) -> Vec<Place> {
     let link = joint.joint.link();
     let mass = link.mass_kg + link.payload_kg;
-    let moment = 1e-3 * (link.mass_kg * link.centre_mm + link.payload_kg * link.payload_at_mm);
+    let moment = (link.mass_kg * link.centre_mm + link.payload_kg * link.payload_at_mm) / 1e3;
     let centre = if mass > 0.0 { moment / mass } else { 0.0 };
     let inertia = link.whole_inertia_kg_m2();
     let along = link.inclination_deg.to_radians().sin_cos();
     let at = |r: f64| format!("{:.9} {:.9} 0", r * along.1, r * along.0);
-    let end_m = 1e-3 * link.centre_mm.max(link.payload_at_mm).max(50.0);
+    let end_m = link.centre_mm.max(link.payload_at_mm).max(50.0) / 1e3;
     vec![
         ("range", joint.range_rad().map(number).join(" ")),
         ("damping", number(link.damping_nm_s_per_rad)),
@@ -146,8 +146,8 @@ fn site_places(joint: &ExportedJoint, spring: &str) -> Vec<Place> {
         for (sites, (word, [x, y])) in sites.iter_mut().zip(ends) {
             *sites += &format!(
                 "<site name=\"{name}_{word}\" pos=\"{} {} 0\" size=\"0.005\"/>",
-                number(1e-3 * x),
-                number(1e-3 * y)
+                number(x / 1e3),
+                number(y / 1e3)
             );
         }
     }
