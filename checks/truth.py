@@ -40,8 +40,18 @@ work = pathlib.Path(tempfile.mkdtemp())
 
 
 def run(*words, cwd=None, ok=True):
-    done = subprocess.run([str(w) for w in words], cwd=cwd or ROOT, capture_output=True, text=True, timeout=300)
-    assert not ok or done.returncode == 0, (words, done.stdout[-2000:], done.stderr[-2000:])
+    done = subprocess.run(
+        [str(w) for w in words],
+        cwd=cwd or ROOT,
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
+    assert not ok or done.returncode == 0, (
+        words,
+        done.stdout[-2000:],
+        done.stderr[-2000:],
+    )
     return done
 
 
@@ -61,9 +71,17 @@ class Muscle:
         for key, value in self.fact.items():
             if key.endswith(("_mpa", "_n", "contraction")):
                 self.fact[key] = None if value is None else float(value)
-        self.name = re.sub(r"\W", "-", row["muscle"].removesuffix(".toml").removeprefix("lib:"))
-        self.words = [row["muscle"] if row["muscle"].startswith("lib:") else TRUTH / row["muscle"]]
-        self.file = ROOT / f"crates/mckibben-fit/data/measured/{self.name}/identified.toml" if row["muscle"].startswith("lib:") else TRUTH / row["muscle"]
+        self.name = re.sub(
+            r"\W", "-", row["muscle"].removesuffix(".toml").removeprefix("lib:")
+        )
+        self.words = [
+            row["muscle"] if row["muscle"].startswith("lib:") else TRUTH / row["muscle"]
+        ]
+        self.file = (
+            ROOT / f"crates/mckibben-fit/data/measured/{self.name}/identified.toml"
+            if row["muscle"].startswith("lib:")
+            else TRUTH / row["muscle"]
+        )
         self.at = ["-p", f"{self.fact['pressure_mpa']} MPa"]
         self.state = [*self.at, "-e", str(self.fact["contraction"])]
         self.folder = work / self.name
@@ -74,7 +92,11 @@ class Muscle:
             got, wanted = answer.get(key), self.fact[key]
             if isinstance(got, str) and isinstance(wanted, float):
                 got = float(got) if got else None
-            same = close(got, wanted) if isinstance(wanted, float) and isinstance(got, float) else got == wanted
+            same = (
+                close(got, wanted)
+                if isinstance(wanted, float) and isinstance(got, float)
+                else got == wanted
+            )
             assert same, (self.name, place, key, got, wanted)
         if "warnings" in answer:
             kinds = {w["kind"] for w in answer["warnings"]} & OF_MUSCLE
@@ -85,9 +107,13 @@ class Muscle:
 def shown(text, value, unit_scale=1.0):
     """Whether a number stands in a text, to the digits that are printed: two at least."""
     value *= unit_scale
-    for found in re.findall(r"(?<![\w.])-?\d+(?:\.\d+)?(?![\w.]*\d)", text.replace("−", "-")):
+    for found in re.findall(
+        r"(?<![\w.])-?\d+(?:\.\d+)?(?![\w.]*\d)", text.replace("−", "-")
+    ):
         digits = len(found.partition(".")[2])
-        if abs(float(found) - value) <= 0.5000001 * 10**-digits + 1e-9 and len(found.strip("-0.")) >= min(2, len(str(round(value)))):
+        if abs(float(found) - value) <= 0.5000001 * 10**-digits + 1e-9 and len(
+            found.strip("-0.")
+        ) >= min(2, len(str(round(value)))):
             return True
     return False
 
@@ -98,10 +124,20 @@ def texts(m):
     m.holds(asked("force", *m.words, *m.state), "force", INTERVAL + LIMITS)
     printed = run(program, "force", *m.words, *m.state)
     for key in INTERVAL:
-        assert shown(printed.stdout, fact[key]), (m.name, "force, text", key, fact[key], printed.stdout)
-    assert ("BURST NOT CHECKED" in printed.stdout + printed.stderr) == ("burst_not_checked" in (fact["warnings"] or "")), (m.name, "force, text")
+        assert shown(printed.stdout, fact[key]), (
+            m.name,
+            "force, text",
+            key,
+            fact[key],
+            printed.stdout,
+        )
+    assert ("BURST NOT CHECKED" in printed.stdout + printed.stderr) == (
+        "burst_not_checked" in (fact["warnings"] or "")
+    ), (m.name, "force, text")
     curve = ["curve", "isobaric", *m.words, *m.state]
-    rows = list(csv.DictReader(io.StringIO(run(program, *curve, "--format", "csv").stdout)))
+    rows = list(
+        csv.DictReader(io.StringIO(run(program, *curve, "--format", "csv").stdout))
+    )
     m.holds(rows[0], "curve, CSV", INTERVAL)
     m.holds(asked(*curve), "curve", LIMITS)
     report = m.folder / "report.html"
@@ -109,13 +145,23 @@ def texts(m):
     if fact["proof_pressure_mpa"] is None:
         assert made.returncode, (m.name, "a folder without a proof test")
         return ["force", "curve"]
-    page = re.sub(r"<[^>]*>", " ", report.read_text()).replace("\u2009", "").replace("\u00a0", " ")
-    assert fact["allowed_pressure_mpa"] is None or shown(page, fact["allowed_pressure_mpa"], 10.0), (m.name, "report, allowed")
+    page = (
+        re.sub(r"<[^>]*>", " ", report.read_text())
+        .replace("\u2009", "")
+        .replace("\u00a0", " ")
+    )
+    assert fact["allowed_pressure_mpa"] is None or shown(
+        page, fact["allowed_pressure_mpa"], 10.0
+    ), (m.name, "report, allowed")
     folder = m.folder / "built"
     answer = asked("build", *m.words, *m.at, "-o", folder)
     m.holds(answer, "build", LIMITS + ["proof_pressure_mpa"])
     text = (folder / "README.md").read_text()
-    assert shown(text, fact["proof_pressure_mpa"], 10.0), (m.name, "README.md, proof", text)
+    assert shown(text, fact["proof_pressure_mpa"], 10.0), (
+        m.name,
+        "README.md, proof",
+        text,
+    )
     again = asked("force", folder / "muscle.toml", *m.state)
     m.holds(again, "muscle of the folder", INTERVAL + LIMITS)
     return ["force", "curve", "report", "folder"]
@@ -125,7 +171,9 @@ def said_limit(m, text, target):
     """The allowed pressure in a header, cut to whole Pa."""
     (said,) = re.findall(r"Allowed pressure: (\d+|not known)", text)
     limit = m.fact["allowed_pressure_mpa"]
-    assert said == "not known" if limit is None else abs(int(said) - 1e6 * limit) <= 1.0, (m.name, target, said)
+    assert (
+        said == "not known" if limit is None else abs(int(said) - 1e6 * limit) <= 1.0
+    ), (m.name, target, said)
 
 
 class Exported:
@@ -134,32 +182,58 @@ class Exported:
     def __init__(self, m):
         self.m, self.answers = m, {}
         for target in ("c", "rust", "python", "mjcf", "fmu"):
-            words = ["export", *m.words, "--as", target, "--name", m.name, "-o", m.folder / target]
+            words = [
+                "export",
+                *m.words,
+                "--as",
+                target,
+                "--name",
+                m.name,
+                "-o",
+                m.folder / target,
+            ]
             done = run(program, *words, "--format", "json", ok=False)
             if done.returncode:
                 assert m.name == "extends", (m.name, target, done.stderr)
                 return
             answer = self.answers[target] = json.loads(done.stdout)
             m.holds(answer, f"export {target}", LIMITS)
-            if answer.get("predicted_n") is not None and close(answer["pressure_mpa"], m.fact["pressure_mpa"]) and close(answer["contraction"], m.fact["contraction"]):
+            if (
+                answer.get("predicted_n") is not None
+                and close(answer["pressure_mpa"], m.fact["pressure_mpa"])
+                and close(answer["contraction"], m.fact["contraction"])
+            ):
                 m.holds(answer, f"export {target}", INTERVAL)
         self.supply = 1e6 * answer["supply_pressure_mpa"]
         self.allowed = m.fact["allowed_pressure_mpa"] or answer["supply_pressure_mpa"]
-        assert answer["supply_pressure_mpa"] <= self.allowed * (1 + 1e-9), (m.name, "the range")
+        assert answer["supply_pressure_mpa"] <= self.allowed * (1 + 1e-9), (
+            m.name,
+            "the range",
+        )
         low, high = answer["contraction_low"], answer["contraction_high"]
         self.pressures = np.linspace(0.1, 1.0, 10) * self.supply
         self.contractions = np.linspace(low, high, 10)
-        grid = ["-p", ",".join(f"{1e-6 * p:.12g} MPa" for p in self.pressures), "-e", ",".join(f"{e:.12g}" for e in self.contractions)]
+        grid = [
+            "-p",
+            ",".join(f"{1e-6 * p:.12g} MPa" for p in self.pressures),
+            "-e",
+            ",".join(f"{e:.12g}" for e in self.contractions),
+        ]
         self.built, self.length = {}, None
         for branch in BRANCHES:
             curve = asked("curve", "isobaric", *m.words, *grid, "--branch", branch)
             points = curve["points"]
             self.built[branch] = np.array([p.get("predicted_n") or 0.0 for p in points])
-            self.volume = 1e-9 * np.array([p.get("volume_mm3") or np.nan for p in points])
+            self.volume = 1e-9 * np.array(
+                [p.get("volume_mm3") or np.nan for p in points]
+            )
             self.length = 1e-3 * curve["muscle"]["length_mm"]
         self.P = np.array([1e6 * p["pressure_mpa"] for p in points])
         self.L = self.length * (1 - np.array([p["contraction"] for p in points]))
-        self.blocked, self.worst = answer["blocked_force_n"], answer["force_worst_ratio"]
+        self.blocked, self.worst = (
+            answer["blocked_force_n"],
+            answer["force_worst_ratio"],
+        )
         self.volume_worst = answer["volume_worst_ratio"]
         stated = {
             "c": m.folder / f"c/muscle_{m.name.replace('-', '_')}.h",
@@ -172,22 +246,44 @@ class Exported:
             said_limit(m, head, target)
             burst = re.search(r"Least burst pressure: (?:(\d+) Pa|not known)", head)
             known = m.fact["burst_pressure_mpa"]
-            assert (burst[1] is None) == ("burst_not_checked" in (m.fact["warnings"] or "")), (m.name, target, burst[0])
-            assert burst[1] is None or abs(int(burst[1]) - 1e6 * known) <= 1.0, (m.name, target, burst[0])
+            assert (burst[1] is None) == (
+                "burst_not_checked" in (m.fact["warnings"] or "")
+            ), (m.name, target, burst[0])
+            assert burst[1] is None or abs(int(burst[1]) - 1e6 * known) <= 1.0, (
+                m.name,
+                target,
+                burst[0],
+            )
 
     def states(self, branches=BRANCHES):
-        return [(p, l, s) for s in (BRANCHES[b] for b in branches) for p, l in zip(self.P, self.L)]
+        return [
+            (p, l, s)
+            for s in (BRANCHES[b] for b in branches)
+            for p, l in zip(self.P, self.L)
+        ]
 
     def errors(self, pulls, volumes, host):
         """The largest error in the pull over the blocked force, of both branches; that of the volume, where the muscle pulls, is as stated."""
         wanted = np.concatenate([self.built[b] for b in BRANCHES])
         error = np.abs(np.maximum(pulls, 0.0) - wanted).max() / self.blocked
         if os.environ.get("SEE"):
-            for (p, l, branch), a, b in sorted(zip(self.states(), pulls, wanted), key=lambda row: -abs(max(row[1], 0.0) - row[2]))[:25]:
-                print(f"{host} {p:9.0f} Pa {1 - l / self.length:.4f} {branch:2d} {a:8.2f} {b:8.2f} N {100 * (max(a, 0.0) - b) / self.blocked:6.2f} %")
+            for (p, l, branch), a, b in sorted(
+                zip(self.states(), pulls, wanted),
+                key=lambda row: -abs(max(row[1], 0.0) - row[2]),
+            )[:25]:
+                print(
+                    f"{host} {p:9.0f} Pa {1 - l / self.length:.4f} {branch:2d} {a:8.2f} {b:8.2f} N {100 * (max(a, 0.0) - b) / self.blocked:6.2f} %"
+                )
         firm = self.built["contraction"] > 0.02 * self.blocked
-        volume = np.abs(volumes[: len(firm)] - self.volume)[firm].max() / np.nanmax(self.volume)
-        assert volume <= 1.5 * self.volume_worst + 1e-6, (self.m.name, host, volume, self.volume_worst)
+        volume = np.abs(volumes[: len(firm)] - self.volume)[firm].max() / np.nanmax(
+            self.volume
+        )
+        assert volume <= 1.5 * self.volume_worst + 1e-6, (
+            self.m.name,
+            host,
+            volume,
+            self.volume_worst,
+        )
         return error
 
 
@@ -202,11 +298,16 @@ def python(x):
         if pull > 0.02 * x.blocked and p > 0.15 * x.supply:
             # The inverse of the branch gives the pressure back, where more pressure pulls more.
             found = float(module.pressure_on(pull, l, s))
-            again = float(module.force(found, l)) + float(module.friction(found, l, s, 0.0))
+            again = float(module.force(found, l)) + float(
+                module.friction(found, l, s, 0.0)
+            )
             back.append(abs(again - pull) / x.blocked)
     assert max(back, default=0.0) < 1e-6, (x.m.name, "python, inverse", max(back))
     # Out of the box, infinite or no number: the answer of the nearest point.
-    shortest, longest = module.LENGTH * (1 - module.HIGH), module.LENGTH * (1 - module.LOW)
+    shortest, longest = (
+        module.LENGTH * (1 - module.HIGH),
+        module.LENGTH * (1 - module.LOW),
+    )
     for given, nearest in (
         ((2 * x.supply, x.L[0]), (x.supply, x.L[0])),
         ((float("inf"), x.L[0]), (x.supply, x.L[0])),
@@ -214,7 +315,10 @@ def python(x):
         ((x.supply, 0.1 * shortest), (x.supply, shortest)),
         ((x.supply, 9 * longest), (x.supply, longest)),
     ):
-        assert float(module.force(*given)) == float(module.force(*nearest)), (x.m.name, given)
+        assert float(module.force(*given)) == float(module.force(*nearest)), (
+            x.m.name,
+            given,
+        )
         assert int(module.status(*given)) & ~1 != 0, (x.m.name, given)
     x.reference = np.array(pulls)
     # Of both branches, at which those that move are held at rest.
@@ -224,7 +328,10 @@ def python(x):
 
 def c(x):
     folder, name = x.m.folder / "c", f"muscle_{x.m.name.replace('-', '_')}"
-    states = "".join(f"{{{p!r}, {l!r}, {s}}},\n" for p, l, s in ((float(p), float(l), s) for p, l, s in x.states()))
+    states = "".join(
+        f"{{{p!r}, {l!r}, {s}}},\n"
+        for p, l, s in ((float(p), float(l), s) for p, l, s in x.states())
+    )
     (folder / "states.c").write_text(f"""#include "{name}.h"
 #include <stdio.h>
 static const double at[][3] = {{{states}}};
@@ -238,16 +345,30 @@ int main(void) {{
     return 0;
 }}
 """)
-    strict = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-O2", "-fsanitize=undefined,address"]
+    strict = [
+        "-std=c99",
+        "-Wall",
+        "-Wextra",
+        "-Wconversion",
+        "-pedantic",
+        "-Werror",
+        "-O2",
+        "-fsanitize=undefined,address",
+    ]
     run("gcc", *strict, "states.c", "mckibben.c", "-lm", "-o", "states", cwd=folder)
     pulls, _, volumes = np.loadtxt(io.StringIO(run(folder / "states").stdout)).T
-    assert np.abs(pulls - x.reference).max() < 1e-9 * x.blocked, (x.m.name, "C is not Python")
+    assert np.abs(pulls - x.reference).max() < 1e-9 * x.blocked, (
+        x.m.name,
+        "C is not Python",
+    )
     return x.errors(pulls, volumes, "c")
 
 
 def rust(x):
     folder, name = x.m.folder / "rust", f"muscle_{x.m.name.replace('-', '_')}"
-    states = "".join(f"[{float(p)!r}, {float(l)!r}, {float(s)}],\n" for p, l, s in x.states())
+    states = "".join(
+        f"[{float(p)!r}, {float(l)!r}, {float(s)}],\n" for p, l, s in x.states()
+    )
     (folder / "states.rs").write_text(f"""#[allow(dead_code)] mod {name};
 use {name}::*;
 fn main() {{
@@ -259,9 +380,23 @@ fn main() {{
     }}
 }}
 """)
-    run("rustc", "--edition", "2021", "--cfg", "mckibben_double", "-O", "states.rs", "-o", "states", cwd=folder)
+    run(
+        "rustc",
+        "--edition",
+        "2021",
+        "--cfg",
+        "mckibben_double",
+        "-O",
+        "states.rs",
+        "-o",
+        "states",
+        cwd=folder,
+    )
     pulls, volumes = np.loadtxt(io.StringIO(run(folder / "states").stdout)).T
-    assert np.abs(pulls - x.reference).max() < 1e-9 * x.blocked, (x.m.name, "Rust is not Python")
+    assert np.abs(pulls - x.reference).max() < 1e-9 * x.blocked, (
+        x.m.name,
+        "Rust is not Python",
+    )
     return x.errors(pulls, volumes, "rust")
 
 
@@ -287,7 +422,11 @@ def fmu(x):
     said = pathlib.Path(fmpy.extract(path))
     text = (said / "modelDescription.xml").read_text()
     said_limit(x.m, text, "fmu")
-    slave = fmpy.fmi2.FMU2Slave(guid=description.guid, unzipDirectory=str(said), modelIdentifier=description.coSimulation.modelIdentifier)
+    slave = fmpy.fmi2.FMU2Slave(
+        guid=description.guid,
+        unzipDirectory=str(said),
+        modelIdentifier=description.coSimulation.modelIdentifier,
+    )
     slave.instantiate()
     slave.setupExperiment(startTime=0.0)
     slave.enterInitializationMode()
@@ -311,13 +450,30 @@ def fmu(x):
 
 def served(muscles):
     """The server answers what the command line does, to the last digit."""
-    with subprocess.Popen([program, "serve", "--port", "0"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as server:
+    with subprocess.Popen(
+        [program, "serve", "--port", "0"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+    ) as server:
         try:
-            address = next(found[0] for line in server.stdout if (found := re.search(r"http://\S+", line))).rstrip("/")
+            address = next(
+                found[0]
+                for line in server.stdout
+                if (found := re.search(r"http://\S+", line))
+            ).rstrip("/")
             for m in muscles:
                 muscle = {"name": "muscle.toml", "text": m.file.read_text()}
-                body = {"muscle": {"file": muscle}, "pressure_mpa": m.fact["pressure_mpa"], "contraction": m.fact["contraction"]}
-                request = urllib.request.Request(f"{address}/api/force", json.dumps(body).encode(), {"Content-Type": "application/json"})
+                body = {
+                    "muscle": {"file": muscle},
+                    "pressure_mpa": m.fact["pressure_mpa"],
+                    "contraction": m.fact["contraction"],
+                }
+                request = urllib.request.Request(
+                    f"{address}/api/force",
+                    json.dumps(body).encode(),
+                    {"Content-Type": "application/json"},
+                )
                 with urllib.request.urlopen(request) as answer:
                     m.holds(json.load(answer), "server", INTERVAL + LIMITS)
         finally:
@@ -343,25 +499,50 @@ SUPPLY_MPA = 0.4
 
 def turned(pressures, angles):
     """The joint of built muscles by the program at one pair of pressures: torque while it turns there, back, or in the mean of both, N m."""
-    words = ["joint", ELBOW, "-p", ",".join(f"{p} MPa" for p in pressures), "--angle", ",".join(f"{a} deg" for a in angles)]
+    words = [
+        "joint",
+        ELBOW,
+        "-p",
+        ",".join(f"{p} MPa" for p in pressures),
+        "--angle",
+        ",".join(f"{a} deg" for a in angles),
+    ]
     return asked(*words)["points"]
 
 
 def joint():
     folder = work / "elbow"
     for target in ("c", "rust", "python", "mjcf"):
-        answer = asked("export", ELBOW, "--as", target, "-p", f"{SUPPLY_MPA} MPa", "-o", folder / target)
+        answer = asked(
+            "export",
+            ELBOW,
+            "--as",
+            target,
+            "-p",
+            f"{SUPPLY_MPA} MPa",
+            "-o",
+            folder / target,
+        )
     sys.path.insert(0, str(folder / "python"))
     import joint_elbow as module
 
-    angles, pairs = np.linspace(-55, 55, 10), [(0.3, 0.1), (0.25, 0.2), (0.1, 0.35), (0.2, 0.2), (0.05, 0.3)]
+    angles, pairs = (
+        np.linspace(-55, 55, 10),
+        [(0.3, 0.1), (0.25, 0.2), (0.1, 0.35), (0.2, 0.2), (0.05, 0.3)],
+    )
     worst, least = 0.0, answer["torque_error_nm"]
     for pair in pairs:
         for point in turned(pair, angles):
             phi, pa = float(np.deg2rad(point["angle_deg"])), [1e6 * p for p in pair]
-            muscles = sum(1e-3 * point[f"arm_{k}_mm"] * point[f"force_{k}_n"] for k in (1, 2))
+            muscles = sum(
+                1e-3 * point[f"arm_{k}_mm"] * point[f"force_{k}_n"] for k in (1, 2)
+            )
             passive = point["torque_nm"] - muscles
-            ways = [float(module.torque(pa, phi) + module.friction(pa, phi, rate, 0.0)) - passive for rate in (1.0, -1.0)]
+            ways = [
+                float(module.torque(pa, phi) + module.friction(pa, phi, rate, 0.0))
+                - passive
+                for rate in (1.0, -1.0)
+            ]
             ours = passive + max(ways[0], 0.0) + min(ways[1], 0.0)
             worst = max(worst, abs(ours - point["predicted_nm"]))
     assert worst <= 2 * least + 0.02, ("joint: torque of built muscles", worst, least)
@@ -369,18 +550,60 @@ def joint():
     inverse = 0.0
     for angle in (-30.0, 0.0, 45.0):
         for torque in (2.0, 5.0):
-            (row,) = asked("joint", ELBOW, "--angle", f"{angle} deg", "--torque", f"{torque} N m", "--max-pressure", f"{SUPPLY_MPA} MPa")["points"]
+            (row,) = asked(
+                "joint",
+                ELBOW,
+                "--angle",
+                f"{angle} deg",
+                "--torque",
+                f"{torque} N m",
+                "--max-pressure",
+                f"{SUPPLY_MPA} MPa",
+            )["points"]
             inverse = max(inverse, abs(row["predicted_nm"] - torque))
-    assert inverse < 1e-3, ("joint: what built muscles give at the pressures for a torque", inverse)
-    states = [(phi, p) for phi in (*np.deg2rad(angles), 1e9, -1e9, float("inf"), float("-inf"), float("nan")) for p in pairs]
-    by_python = np.array([[module.torque([1e6 * q for q in p], float(phi)), module.stiffness([1e6 * q for q in p], float(phi)), *module.limits(float(phi))] for phi, p in states], float)
+    assert inverse < 1e-3, (
+        "joint: what built muscles give at the pressures for a torque",
+        inverse,
+    )
+    states = [
+        (phi, p)
+        for phi in (
+            *np.deg2rad(angles),
+            1e9,
+            -1e9,
+            float("inf"),
+            float("-inf"),
+            float("nan"),
+        )
+        for p in pairs
+    ]
+    by_python = np.array(
+        [
+            [
+                module.torque([1e6 * q for q in p], float(phi)),
+                module.stiffness([1e6 * q for q in p], float(phi)),
+                *module.limits(float(phi)),
+            ]
+            for phi, p in states
+        ],
+        float,
+    )
     assert np.isfinite(by_python).all()
-    ends = {end: [module.torque([1e6 * q for q in pairs[0]], module.RANGE[end])] for end in (0, 1)}
+    ends = {
+        end: [module.torque([1e6 * q for q in pairs[0]], module.RANGE[end])]
+        for end in (0, 1)
+    }
     for phi, end in ((1e9, 1), (float("inf"), 1), (-1e9, 0), (float("nan"), 0)):
-        assert float(module.torque([1e6 * q for q in pairs[0]], phi)) == float(ends[end][0]), phi
-        assert int(module.status([1e6 * q for q in pairs[0]], phi)) & module.ANGLE_OUTSIDE
+        assert float(module.torque([1e6 * q for q in pairs[0]], phi)) == float(
+            ends[end][0]
+        ), phi
+        assert (
+            int(module.status([1e6 * q for q in pairs[0]], phi)) & module.ANGLE_OUTSIDE
+        )
         assert int(module.pressures_status(phi, 2.0, 10.0)) & module.ANGLE_OUTSIDE
-    show = lambda v: {"inf": "INFINITY", "-inf": "-INFINITY", "nan": "NAN"}.get(repr(float(v)), repr(float(v)))
+    show = lambda v: {"inf": "INFINITY", "-inf": "-INFINITY", "nan": "NAN"}.get(
+        repr(float(v)), repr(float(v))
+    )
     at = "".join(f"{{{show(phi)}, {1e6 * p[0]}, {1e6 * p[1]}}},\n" for phi, p in states)
     (folder / "c/states.c").write_text(f"""#include "joint_elbow.h"
 #include <math.h>
@@ -396,10 +619,32 @@ int main(void) {{
     return 0;
 }}
 """)
-    run("gcc", "-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", "-O2", "-fsanitize=undefined,address", "states.c", "mckibben.c", "-lm", "-o", "states", cwd=folder / "c")
+    run(
+        "gcc",
+        "-std=c99",
+        "-Wall",
+        "-Wextra",
+        "-Wconversion",
+        "-pedantic",
+        "-Werror",
+        "-O2",
+        "-fsanitize=undefined,address",
+        "states.c",
+        "mckibben.c",
+        "-lm",
+        "-o",
+        "states",
+        cwd=folder / "c",
+    )
     by_c = np.loadtxt(io.StringIO(run(folder / "c/states").stdout))
-    show = lambda v: {"inf": "f64::INFINITY", "-inf": "f64::NEG_INFINITY", "nan": "f64::NAN"}.get(repr(float(v)), f"{float(v)!r}_f64".replace("e+", "e"))
-    at = "".join(f"[{show(phi)}, {show(1e6 * p[0])}, {show(1e6 * p[1])}],\n" for phi, p in states)
+    show = lambda v: {
+        "inf": "f64::INFINITY",
+        "-inf": "f64::NEG_INFINITY",
+        "nan": "f64::NAN",
+    }.get(repr(float(v)), f"{float(v)!r}_f64".replace("e+", "e"))
+    at = "".join(
+        f"[{show(phi)}, {show(1e6 * p[0])}, {show(1e6 * p[1])}],\n" for phi, p in states
+    )
     (folder / "rust/states.rs").write_text(f"""#[allow(dead_code)] mod joint_elbow;
 use joint_elbow::*;
 fn main() {{
@@ -411,18 +656,46 @@ fn main() {{
     }}
 }}
 """)
-    run("rustc", "--edition", "2021", "--cfg", "mckibben_double", "-O", "states.rs", "-o", "states", cwd=folder / "rust")
+    run(
+        "rustc",
+        "--edition",
+        "2021",
+        "--cfg",
+        "mckibben_double",
+        "-O",
+        "states.rs",
+        "-o",
+        "states",
+        cwd=folder / "rust",
+    )
     by_rust = np.loadtxt(io.StringIO(run(folder / "rust/states").stdout))
     hosts = max(np.abs(by_c - by_python).max(), np.abs(by_rust - by_python).max())
     assert hosts < 1e-9, ("joint: hosts differ", hosts)
-    print(f"joint: torque of built muscles within {worst:.3f} N m of `joint` (stated {least:.3f}); inverse of the program within {inverse:.1e} N m; {len(states)} states in C, Rust and Python within {hosts:.0e}, {5 * len(pairs)} of them without an angle")
+    print(
+        f"joint: torque of built muscles within {worst:.3f} N m of `joint` (stated {least:.3f}); inverse of the program within {inverse:.1e} N m; {len(states)} states in C, Rust and Python within {hosts:.0e}, {5 * len(pairs)} of them without an angle"
+    )
     return module, folder
 
 
 def library(folder, name):
     place = pathlib.Path(mujoco.__file__).parent
     (of_mujoco,) = place.glob("libmujoco.so*")
-    run("gcc", "-std=c99", "-O2", "-shared", "-fPIC", "-isystem", place / "include", f"{name}_plugin.c", "mckibben.c", of_mujoco, "-lm", "-o", f"{name}.so", cwd=folder)
+    run(
+        "gcc",
+        "-std=c99",
+        "-O2",
+        "-shared",
+        "-fPIC",
+        "-isystem",
+        place / "include",
+        f"{name}_plugin.c",
+        "mckibben.c",
+        of_mujoco,
+        "-lm",
+        "-o",
+        f"{name}.so",
+        cwd=folder,
+    )
     mujoco.mj_loadPluginLibrary(str(folder / f"{name}.so"))
 
 
@@ -431,7 +704,19 @@ def loops(module, folder):
     # A load is lifted by 5 % and lowered to 3 %: what the muscle has to carry, on the branch on which it moves.
     lift = work / "lift"
     for target in ("python", "mjcf"):
-        run(program, "export", TRUTH / "strength-unknown.toml", "--as", target, "--name", "lifting", "-p", "3bar", "-o", lift / target)
+        run(
+            program,
+            "export",
+            TRUTH / "strength-unknown.toml",
+            "--as",
+            target,
+            "--name",
+            "lifting",
+            "-p",
+            "3bar",
+            "-o",
+            lift / target,
+        )
     sys.path.insert(0, str(lift / "python"))
     import muscle_lifting as muscle
 
@@ -444,9 +729,13 @@ def loops(module, folder):
         goal = (0.05 if k < 3000 else 0.03) * muscle.LENGTH
         error = goal - data.qpos[0]
         integral += 1e-3 * error
-        wanted = 9.81 * mass + mass * (100.0 * error - 16.0 * data.qvel[0] + 200.0 * integral)
+        wanted = 9.81 * mass + mass * (
+            100.0 * error - 16.0 * data.qvel[0] + 200.0 * integral
+        )
         length = muscle.LENGTH - data.qpos[0]
-        data.ctrl[0] = float(muscle.pressure_on(max(wanted, 0.0), length, -1 if error > 0 else 1))
+        data.ctrl[0] = float(
+            muscle.pressure_on(max(wanted, 0.0), length, -1 if error > 0 else 1)
+        )
         assert data.ctrl[0] <= muscle.ALLOWED
         mujoco.mj_step(model, data)
         if k % 3000 > 2500:
@@ -470,7 +759,9 @@ def loops(module, folder):
         if k % 4000 > 3500:
             off.append(abs(np.rad2deg(error)))
     assert max(off) < 0.5, ("loop: elbow", max(off))
-    print(f"loops at 1 kHz: a load within {100 * max(errors):.3f} % of contraction, an arm within {max(off):.2f} deg")
+    print(
+        f"loops at 1 kHz: a load within {100 * max(errors):.3f} % of contraction, an arm within {max(off):.2f} deg"
+    )
 
 
 def main():
@@ -482,18 +773,25 @@ def main():
         muscles = [m for m in muscles if m.name in sys.argv[2:]]
     served(muscles)
     package(muscles)
-    print("| muscle | allowed MPa | outputs | states | C, Rust, Python, both branches: worst of the blocked force | stated | MuJoCo, FMI against these |")
+    print(
+        "| muscle | allowed MPa | outputs | states | C, Rust, Python, both branches: worst of the blocked force | stated | MuJoCo, FMI against these |"
+    )
     print("|---|---|---|---|---|---|---|")
     for m in muscles:
         outputs = texts(m)
         x = Exported(m)
         if not x.answers:
-            print(f"| {m.name} | {m.fact['allowed_pressure_mpa']} | {', '.join(outputs)} | export refused: it extends | | | |")
+            print(
+                f"| {m.name} | {m.fact['allowed_pressure_mpa']} | {', '.join(outputs)} | export refused: it extends | | | |"
+            )
             continue
         errors = [python(x), c(x), rust(x)]
         others = [mjcf(x), fmu(x)]
         row = f"| {m.name} | {m.fact['allowed_pressure_mpa']} | {', '.join(outputs)} | {len(x.states())} "
-        print(f"{row}| {max(errors):.2e} | {x.worst:.2e} | {max(others):.0e} |", flush=True)
+        print(
+            f"{row}| {max(errors):.2e} | {x.worst:.2e} | {max(others):.0e} |",
+            flush=True,
+        )
         assert max(errors) <= 1.5 * x.worst + 1e-3, (m.name, errors, x.worst)
     loops(*joint())
     shutil.rmtree(work)

@@ -148,7 +148,10 @@ fn select(problem: &Triangle, most: usize) -> Vec<usize> {
     let all = rest.norm_squared();
     let mut free: Vec<usize> = (0..columns.len()).collect();
     let mut chosen = vec![];
-    while chosen.len() < most && rest.norm_squared() > MET * all && cancel::check().is_ok() {
+    while chosen.len() < MOST_TERMS.min(most)
+        && rest.norm_squared() > MET * all
+        && cancel::check().is_ok()
+    {
         let gain = |&j: &usize| {
             let square = columns[j].norm_squared();
             if square > DEPENDENT * lengths[j] {
@@ -191,14 +194,13 @@ fn nested(problem: &Triangle, chosen: &[usize]) -> impl Fn(usize) -> Option<DVec
 /// rms over inner groups of diameters left out one at a time, by number of terms; the terms are
 /// chosen anew each time.
 fn leave_out(groups: &[Triangle]) -> Option<Vec<f64>> {
-    let last = groups.len().checked_sub(1)?;
     if groups.len() < 4 {
         return None;
     }
     let mut sums = vec![0.0; MOST_TERMS];
     let mut rows = 0;
     let mut length = MOST_TERMS;
-    for (group, out) in groups.iter().enumerate().take(last).skip(1) {
+    for (group, out) in groups.iter().enumerate().take(groups.len() - 1).skip(1) {
         cancel::check().ok()?;
         let kept = Triangle::without(groups, Some(group));
         let chosen = select(&kept, kept.rows / 2);

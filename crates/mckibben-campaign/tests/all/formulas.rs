@@ -133,6 +133,28 @@ fn global_is_exact_on_a_polynomial_of_its_terms() {
     );
 }
 
+/// A bound: terms that are chosen have two points each at least, and are no more than the paper's,
+/// however rough the pulls are; one that meets each point would vouch for nothing.
+#[test]
+fn terms_that_are_chosen_have_two_points_each_and_are_at_most_48() {
+    let rough = |d: f64, s: f64, p: f64, e: f64| {
+        let bend = (40.0 * p * p).sin() + (15.0 * e * p).cos() * s.sqrt();
+        d * d * (1.0 + p * (2.0 - e) + 0.1 * bend)
+    };
+    let points = synthetic(rough);
+    let many = global(&points, None).unwrap().0.terms.len();
+    assert!(many > 12 && many <= 48, "{many}");
+    for count in [8, 12, 30] {
+        let step = points.len() / count;
+        let few: Vec<FitPoint> = points.iter().copied().step_by(step).take(count).collect();
+        let pulling = few.iter().filter(|p| p.force_n > 0.0).count();
+        let Ok((terms, _)) = global(&few, None) else {
+            continue;
+        };
+        assert!(2 * terms.terms.len() <= pulling, "{count}: {terms:?}");
+    }
+}
+
 #[test]
 fn too_little_is_refused_with_what_is_missing() {
     let points = published();
