@@ -24,3 +24,4 @@ test -x "$venv/bin/python" || python3 -m venv "$venv"
 bash checks/fmu-binaries.sh --check
 "$venv/bin/python" checks/exports.py "$1"
 "$venv/bin/python" checks/exports_fmu.py "$1"
+"$venv/bin/python" checks/truth.py "$1"

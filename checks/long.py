@@ -123,7 +123,8 @@ PARTS = {
         [
             r"crates/mckibben-export/.*",
             r"crates/mckibben-app/src/export\.rs",
-            r"checks/exports.*",
+            r"crates/mckibben-app/tests/layer/truth/.*",
+            r"checks/(exports.*|truth\.py)",
             r"checks/fmu.*",
             r"checks/mach_o\.py",
         ],
