@@ -103,7 +103,7 @@ inBrowser(({ name, open, blank, url }) => {
       );
     });
     // Below it lies the curve as built, with the interval of the command line.
-    for (let by = 20; by < 150; by += 10) {
+    for (let by = 20; by < 150; by += 4) {
       await page.mouse.move(ring.x + 8, ring.y + by);
       if (/as built/.test(await page.locator(".tip").innerText())) break;
     }

@@ -138,11 +138,10 @@ function moveBox(v, question) {
     },
     { minor: true },
   );
-  const about = "At the required stiffness; Motion shows how valves and arm follow.";
   return {
     element: folded(
       "Move the arm",
-      remark(about),
+      remark("Motion shows how valves and arm follow."),
       field("angle", { label: "Move to", kind: "angle", low: -60, high: 60 }),
       field("seconds", { label: "Within", kind: "time", low: 0.1, high: 5 }),
       play.element,
@@ -243,7 +242,12 @@ export const mount = (main) => {
     said.replaceChildren(mark(problem) ? "" : problemBox(problem));
     stale(Boolean(point.value));
   }
-  const move = moveBox(v, (list) => ({ ...joint.request(first), ...wanted(v, list) }));
+  // A motion is that of the model: so are its pressures.
+  const move = moveBox(v, (list) => ({
+    ...joint.request(first),
+    ...wanted(v, list),
+    model: { name: "fe" },
+  }));
   element.append(move.element);
   main.replaceChildren(
     block(
