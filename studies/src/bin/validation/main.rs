@@ -36,6 +36,7 @@ use mckibben_fem::elements::Elements;
 use mckibben_fit::identify::Build;
 use report::{Fitted, report};
 use rubber::FittedRubber;
+use serde_json::Value;
 use std::{path::Path, process::ExitCode};
 
 pub use mckibben_studies::{Result, keep, with_texts};
