@@ -28,8 +28,10 @@ struct Track(Vec<Spot>);
 impl Track {
     /// The last value up to a time.
     fn value_at(&self, t: f64) -> f64 {
-        let before = self.0.iter().rfind(|spot| spot.time <= t);
-        before.or(self.0.first()).map_or(0.0, |spot| spot.value)
+        let after = self.0.partition_point(|spot| spot.time <= t);
+        self.0
+            .get(after.saturating_sub(1))
+            .map_or(0.0, |spot| spot.value)
     }
 
     /// The spots within a piece.
