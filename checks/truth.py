@@ -6,7 +6,7 @@ Usage: truth.py PROGRAM [MUSCLE ...]
 Usage: truth.py PROGRAM joint     only the joint and the loops
 
 For each muscle: the facts from `force` as JSON and text, from the table and the report of `curve`, from the folder of `build` and the muscle in
-it, from the header of each exported file, from the server and, where it is installed, from the Python package. Then C, Rust, Python, the plugin of
+it, from the header of each exported file and from the server. Then C, Rust, Python, the plugin of
 MuJoCo and the unit of FMI in their hosts at 200 states (ten pressures, ten contractions, both branches) against `predicted_n` of `curve`. Then a
 joint: its torque in C, Rust and Python against that of built muscles by `joint`, its inverse, and what comes of angles that are none. Last two loops
 at 1 kHz in MuJoCo: a load that is lifted, and an arm that is turned, by what the exported Python says.
@@ -21,38 +21,19 @@ import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import urllib.request
 
 import fmpy
 import fmpy.fmi2
 import mujoco
 import numpy as np
+from exports import ROOT, plugged, program, run, work
 
-program = pathlib.Path(sys.argv[1]).resolve()
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 TRUTH = ROOT / "crates/mckibben-app/tests/layer/truth"
 BRANCHES = {"contraction": -1, "elongation": 1}
 LIMITS = "allowed_pressure_mpa allowed_by burst_pressure_mpa".split()
 INTERVAL = "predicted_n predicted_low_n predicted_high_n".split()
 OF_MUSCLE = {"burst", "burst_not_checked", "above_allowed", "not_measured"}
-work = pathlib.Path(tempfile.mkdtemp())
-
-
-def run(*words, cwd=None, ok=True):
-    done = subprocess.run(
-        [str(w) for w in words],
-        cwd=cwd or ROOT,
-        capture_output=True,
-        text=True,
-        timeout=300,
-    )
-    assert not ok or done.returncode == 0, (
-        words,
-        done.stdout[-2000:],
-        done.stderr[-2000:],
-    )
-    return done
 
 
 def asked(*words):
@@ -274,14 +255,6 @@ class Exported:
         """The largest error in the pull over the blocked force, of both branches; that of the volume, where the muscle pulls, is as stated."""
         wanted = np.concatenate([self.built[b] for b in BRANCHES])
         error = np.abs(np.maximum(pulls, 0.0) - wanted).max() / self.blocked
-        if os.environ.get("SEE"):
-            for (p, l, branch), a, b in sorted(
-                zip(self.states(), pulls, wanted),
-                key=lambda row: -abs(max(row[1], 0.0) - row[2]),
-            )[:25]:
-                print(
-                    f"{host} {p:9.0f} Pa {1 - l / self.length:.4f} {branch:2d} {a:8.2f} {b:8.2f} N {100 * (max(a, 0.0) - b) / self.blocked:6.2f} %"
-                )
         firm = self.built["contraction"] > 0.02 * self.blocked
         volume = np.abs(volumes[: len(firm)] - self.volume)[firm].max() / np.nanmax(
             self.volume
@@ -334,6 +307,34 @@ def python(x):
     return x.errors(x.reference, module.volume(x.P, x.L), "python")
 
 
+def numbers(folder):
+    """What the program of the states prints, a line each."""
+    return np.loadtxt(io.StringIO(run(folder / "states").stdout))
+
+
+def by_gcc(folder):
+    """The numbers of states.c, without a warning of the compiler or its sanitizers."""
+    strict = "-std=c99 -Wall -Wextra -Wconversion -pedantic -Werror -O2 -fsanitize=undefined,address"
+    run(
+        "gcc",
+        *strict.split(),
+        "states.c",
+        "mckibben.c",
+        "-lm",
+        "-o",
+        "states",
+        cwd=folder,
+    )
+    return numbers(folder)
+
+
+def by_rustc(folder):
+    """The numbers of states.rs."""
+    how = "--edition 2021 --cfg mckibben_double -O states.rs -o states"
+    run("rustc", *how.split(), cwd=folder)
+    return numbers(folder)
+
+
 def c(x):
     folder, name = x.m.folder / "c", f"muscle_{x.m.name.replace('-', '_')}"
     states = "".join(
@@ -353,18 +354,7 @@ int main(void) {{
     return 0;
 }}
 """)
-    strict = [
-        "-std=c99",
-        "-Wall",
-        "-Wextra",
-        "-Wconversion",
-        "-pedantic",
-        "-Werror",
-        "-O2",
-        "-fsanitize=undefined,address",
-    ]
-    run("gcc", *strict, "states.c", "mckibben.c", "-lm", "-o", "states", cwd=folder)
-    pulls, _, volumes = np.loadtxt(io.StringIO(run(folder / "states").stdout)).T
+    pulls, _, volumes = by_gcc(folder).T
     assert np.abs(pulls - x.reference).max() < 1e-9 * x.blocked, (
         x.m.name,
         "C is not Python",
@@ -388,19 +378,7 @@ fn main() {{
     }}
 }}
 """)
-    run(
-        "rustc",
-        "--edition",
-        "2021",
-        "--cfg",
-        "mckibben_double",
-        "-O",
-        "states.rs",
-        "-o",
-        "states",
-        cwd=folder,
-    )
-    pulls, volumes = np.loadtxt(io.StringIO(run(folder / "states").stdout)).T
+    pulls, volumes = by_rustc(folder).T
     assert np.abs(pulls - x.reference).max() < 1e-9 * x.blocked, (
         x.m.name,
         "Rust is not Python",
@@ -410,7 +388,7 @@ fn main() {{
 
 def mjcf(x):
     folder, name = x.m.folder / "mjcf", f"muscle_{x.m.name.replace('-', '_')}"
-    library(folder, name)
+    plugged(folder, name)
     model = mujoco.MjModel.from_xml_path(str(folder / f"{name}.xml"))
     data, pulls = mujoco.MjData(model), []
     for p, l in zip(x.P, x.L):
@@ -486,19 +464,6 @@ def served(muscles):
                     m.holds(json.load(answer), "server", INTERVAL + LIMITS)
         finally:
             server.terminate()
-
-
-def package(muscles):
-    """The Python package, where it is installed."""
-    try:
-        import mckibben as mk
-    except ImportError:
-        print("Python package | not installed here: its own tests have the facts")
-        return
-    for m in muscles:
-        muscle = mk.load(str(m.words[0]))
-        answer = muscle.solve(m.fact["pressure_mpa"], m.fact["contraction"])
-        m.holds({k: getattr(answer, k) for k in INTERVAL}, "Python package", INTERVAL)
 
 
 ELBOW = ROOT / "examples/elbow.toml"
@@ -632,24 +597,7 @@ int main(void) {{
     return 0;
 }}
 """)
-    run(
-        "gcc",
-        "-std=c99",
-        "-Wall",
-        "-Wextra",
-        "-Wconversion",
-        "-pedantic",
-        "-Werror",
-        "-O2",
-        "-fsanitize=undefined,address",
-        "states.c",
-        "mckibben.c",
-        "-lm",
-        "-o",
-        "states",
-        cwd=folder / "c",
-    )
-    by_c = np.loadtxt(io.StringIO(run(folder / "c/states").stdout))
+    by_c = by_gcc(folder / "c")
     show = lambda v: {
         "inf": "f64::INFINITY",
         "-inf": "f64::NEG_INFINITY",
@@ -669,47 +617,13 @@ fn main() {{
     }}
 }}
 """)
-    run(
-        "rustc",
-        "--edition",
-        "2021",
-        "--cfg",
-        "mckibben_double",
-        "-O",
-        "states.rs",
-        "-o",
-        "states",
-        cwd=folder / "rust",
-    )
-    by_rust = np.loadtxt(io.StringIO(run(folder / "rust/states").stdout))
+    by_rust = by_rustc(folder / "rust")
     hosts = max(np.abs(by_c - by_python).max(), np.abs(by_rust - by_python).max())
     assert hosts < 1e-9, ("joint: hosts differ", hosts)
     print(
         f"joint: torque of built muscles within {worst:.3f} N m of `joint` (stated {least:.3f}); inverse of the program within {inverse:.1e} N m; {len(states)} states in C, Rust and Python within {hosts:.0e}, {5 * len(pairs)} of them without an angle"
     )
     return module, folder
-
-
-def library(folder, name):
-    place = pathlib.Path(mujoco.__file__).parent
-    (of_mujoco,) = place.glob("libmujoco.so*")
-    run(
-        "gcc",
-        "-std=c99",
-        "-O2",
-        "-shared",
-        "-fPIC",
-        "-isystem",
-        place / "include",
-        f"{name}_plugin.c",
-        "mckibben.c",
-        of_mujoco,
-        "-lm",
-        "-o",
-        f"{name}.so",
-        cwd=folder,
-    )
-    mujoco.mj_loadPluginLibrary(str(folder / f"{name}.so"))
 
 
 def loops(module, folder):
@@ -733,7 +647,7 @@ def loops(module, folder):
     sys.path.insert(0, str(lift / "python"))
     import muscle_lifting as muscle
 
-    library(lift / "mjcf", "muscle_lifting")
+    plugged(lift / "mjcf", "muscle_lifting")
     model = mujoco.MjModel.from_xml_path(str(lift / "mjcf/muscle_lifting.xml"))
     model.opt.timestep = 1e-3
     data, mass, errors = mujoco.MjData(model), model.body_mass.sum(), []
@@ -755,8 +669,7 @@ def loops(module, folder):
             errors.append(abs(error) / muscle.LENGTH)
     assert max(errors) < 2e-3, ("loop: load", max(errors))
     # The elbow turns to 40 deg and back to -20.
-    for k in (1, 2):
-        library(folder / "mjcf", f"muscle_elbow_{k}")
+    plugged(folder / "mjcf", "muscle_elbow_1", "muscle_elbow_2")
     model = mujoco.MjModel.from_xml_path(str(folder / "mjcf/joint_elbow.xml"))
     model.opt.timestep = 1e-3
     data, off, integral = mujoco.MjData(model), [], 0.0
@@ -776,8 +689,6 @@ def loops(module, folder):
         data.ctrl[:2] = module.pressures(float(data.qpos[0]), float(torque), 8.0)
         assert max(data.ctrl[:2]) <= min(one.ALLOWED for one in module.MUSCLES)
         mujoco.mj_step(model, data)
-        if os.environ.get("SEE") and k % 400 == 0:
-            print(k, np.rad2deg(data.qpos[0]), data.ctrl[:2], torque)
         if k % 4000 > 3500:
             off.append(abs(np.rad2deg(error)))
     assert max(off) < 1.0, ("loop: elbow", max(off))
@@ -794,7 +705,6 @@ def main():
     if sys.argv[2:]:
         muscles = [m for m in muscles if m.name in sys.argv[2:]]
     served(muscles)
-    package(muscles)
     print(
         "| muscle | allowed MPa | outputs | states | C, Rust, Python, both branches: worst of the blocked force | stated | MuJoCo, FMI against these |"
     )
