@@ -54,6 +54,14 @@ grip = "3 mm"
 const mine = join(folder, "mine.toml");
 writeFileSync(mine, MINE);
 
+/** What the bar says in short of a warning, by its kind. */
+const OF_MUSCLE = {
+  burst: "may burst",
+  burst_not_checked: "burst pressure unknown",
+  above_allowed: "above the allowed pressure",
+  not_measured: "outside of the measured muscles",
+};
+
 inBrowser(({ name, url, open, blank }) => {
   /** @typedef {import("playwright-core").Page} Page */
   /** Until a text stands in an element. @param {Page} page @param {string} of @param {string} text */
@@ -181,6 +189,51 @@ inBrowser(({ name, url, open, blank }) => {
     const sent = await open(new URL(link).hash);
     await reads(sent.page, "[aria-label='beside it in numbers']", both);
     await sent.context.close();
+  });
+
+  test("the facts of a dozen muscles that every output has stand on the page", async () => {
+    const truth = `${root}crates/mckibben-app/tests/layer/truth/`;
+    const [head, ...rows] = readFileSync(`${truth}facts.tsv`, "utf8")
+      .split("\n")
+      .filter(Boolean)
+      .map((line) => line.split("\t"));
+    const { page, errors, context } = await open("#muscle");
+    await alive(page);
+    for (const row of rows) {
+      const fact = (/** @type {string} */ key) => row[head.indexOf(key)];
+      const [muscle, mpa, e] = ["muscle", "pressure_mpa", "contraction"].map(fact);
+      // What the library has is a file of the repository too.
+      const file = muscle.startsWith("lib:")
+        ? `${root}crates/mckibben-fit/data/measured/${muscle.slice(4)}/identified.toml`
+        : `${truth}${muscle}`;
+      const said = ask("force", file, "-p", `${mpa}MPa`, "-e", e);
+      for (const key of ["predicted_n", "predicted_low_n", "predicted_high_n"])
+        assert.ok(
+          Math.abs(said[key] - Number(fact(key))) < 1e-5 * Math.max(1, Math.abs(said[key])),
+          muscle,
+        );
+      await openFiles(page, file);
+      await type(page, "Pressure p", `${mpa} MPa`);
+      await type(page, "Contraction ε", `${Number((100 * Number(e)).toPrecision(6))} %`);
+      await reads(page, PULL, said.slack ? "Slack" : asShown(said).replaceAll("-", "−"));
+      const limit = (/** @type {string} */ key) =>
+        fact(key) === "-" ? "unknown" : bar(Number(fact(key)));
+      await reads(page, ".numbers", `Least burst pressure${limit("burst_pressure_mpa")}`);
+      await reads(page, ".numbers", `Allowed pressure${limit("allowed_pressure_mpa")}`);
+      const kinds = fact("warnings").split(",");
+      await soon(async () => {
+        const line = page.locator(".flags summary"),
+          words = (await line.isVisible()) ? await line.innerText() : "";
+        for (const [kind, text] of Object.entries(OF_MUSCLE))
+          assert.equal(
+            words.includes(text),
+            kinds.includes(kind),
+            `${muscle}: ${text} in ${words}`,
+          );
+      });
+    }
+    assert.deepEqual(errors, []);
+    await context.close();
   });
 
   test("every measure of the program has a field, and those that few muscles state belong to the muscle of every page", async () => {

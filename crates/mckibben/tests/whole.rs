@@ -1,7 +1,7 @@
 //! A muscle in Rust is the whole muscle, as every other front end has it.
 #![cfg(all(feature = "design", feature = "fem", feature = "fit"))]
 
-use mckibben::{ForceModel, Workspace, prelude::*};
+use mckibben::{ForceModel, WarningKind, Workspace, prelude::*};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fit::library::file;
 
@@ -146,5 +146,61 @@ mod custom {
             (own - listed).abs() < 1e-3 * (1.0 + listed),
             "{own} {listed}"
         );
+    }
+}
+
+/// The facts of a dozen muscles as `force` answers them, which `identity_every_output_has_…` of the
+/// application reads from all commands, are those of Rust: pull as built, interval, limits, warnings.
+#[test]
+fn identity_a_muscle_in_rust_has_the_facts_of_every_other_output() {
+    let folder = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../mckibben-app/tests/layer/truth/"
+    );
+    let read = |name: &str| std::fs::read_to_string(format!("{folder}{name}")).unwrap();
+    let table = read("facts.tsv");
+    let mut rows = table.lines().map(|line| line.split('\t'));
+    let keys: Vec<&str> = rows.next().unwrap().collect();
+    for row in rows {
+        let row: Vec<&str> = row.collect();
+        let fact = |key: &str| row[keys.iter().position(|k| *k == key).unwrap()];
+        let name = fact("muscle");
+        let text = name.strip_prefix("lib:").map(|name| file(name).unwrap());
+        let text = text.map_or_else(|| read(name), str::to_owned);
+        let mut model = Model::FE.of(&text.parse().unwrap()).unwrap();
+        let [p, e] = ["pressure_mpa", "contraction"].map(|key| fact(key).parse().unwrap());
+        let answer = model.answer(p, e).unwrap();
+        let built = answer.built.as_ref().unwrap();
+        let burst = model.burst();
+        let allowed = burst.allowed();
+        for (key, value) in [
+            ("predicted_n", Some(built.predicted_n)),
+            ("predicted_low_n", Some(built.predicted_low_n)),
+            ("predicted_high_n", Some(built.predicted_high_n)),
+            ("allowed_pressure_mpa", allowed.map(|allowed| allowed.mpa)),
+            ("burst_pressure_mpa", burst.least().map(|(_, mpa)| mpa)),
+        ] {
+            let wanted = fact(key).parse::<f64>().ok();
+            let (x, y) = (value.unwrap_or(-1.0), wanted.unwrap_or(-1.0));
+            assert!(
+                (x - y).abs() <= 2e-6 + 1e-6 * y.abs(),
+                "{name}: {key} {x} {y}"
+            );
+        }
+        let of_muscle = [
+            WarningKind::Burst,
+            WarningKind::BurstNotChecked,
+            WarningKind::AboveAllowed,
+            WarningKind::NotMeasured,
+        ];
+        let kinds = answer.warnings.iter().map(|w| w.kind);
+        let mut kinds: Vec<String> = kinds
+            .filter(|kind| of_muscle.contains(kind))
+            .map(|kind| serde_json::to_value(kind).unwrap())
+            .map(|kind| kind.as_str().unwrap().to_owned())
+            .collect();
+        kinds.sort();
+        kinds.dedup();
+        assert_eq!(kinds.join(","), fact("warnings"), "{name}");
     }
 }

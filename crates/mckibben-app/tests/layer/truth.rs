@@ -1,7 +1,8 @@
 //! One muscle, one truth: every output of a muscle at a pressure carries the same pull, interval,
 //! limits and warnings. What `force` answers is the expected fact, kept in `truth/facts.tsv`; the rows
-//! of `outputs` read it from all other commands, `checks/truth.py` from what runs outside of them. A new
-//! command that takes a muscle and is not in the table fails the last test.
+//! of `outputs` read it from all other commands, `checks/truth.py` from what runs outside of them, tests
+//! of their own from the page, Rust and Python. A new command that takes a muscle and is not in the table
+//! fails the last test.
 
 use crate::{
     given::{file, number, text_of, with},

@@ -22,9 +22,7 @@ import { solveView, tornadoView } from "./what-if.js";
 export function numbersView(store) {
   const notes = el("ul", { class: "warnings" });
   const parts = partsView(store),
-    tornado = tornadoView(store),
-    solve = solveView(store);
-  const list = el("dl");
+    list = el("dl");
   const built = button(
     "",
     () => {
@@ -45,8 +43,8 @@ export function numbersView(store) {
     parts.element,
     list,
     notes,
-    solve.element,
-    tornado.element,
+    solveView(store).element,
+    tornadoView(store).element,
     remarks,
   );
   watch(() => {
@@ -69,7 +67,8 @@ export function numbersView(store) {
 function rows(facts, point) {
   const c = facts.characteristics,
     as = muscle.assessed,
-    burst = c?.burst_pressure_mpa;
+    limit = (/** @type {number | null | undefined} */ mpa) =>
+      mpa ? showPressure(mpa, 3) : "unknown";
   return [
     [`Model ${point.model}`, point.slack ? "slack" : showForce(point.force_n)],
     ["Stiffness", show("stiffness", point.stiffness_n_per_mm, 3)],
@@ -89,8 +88,8 @@ function rows(facts, point) {
     ["Threshold pressure", showPressure(as?.start_pressure_mpa, 3)],
     ["Blocked force", showForce(c?.blocked_force_n)],
     ["Free contraction", showRatio(c?.free_contraction, 3)],
-    ["Least burst pressure", burst ? showPressure(burst, 3) : "unknown"],
-    ["Allowed pressure", showPressure(c?.allowed_pressure_mpa, 3)],
+    ["Least burst pressure", limit(c?.burst_pressure_mpa)],
+    ["Allowed pressure", limit(c?.allowed_pressure_mpa)],
     ["Work over the full stroke", show("J", c?.work_j, 3)],
     ["Air over the full stroke", show("normal L", c?.air_normal_litres, 3)],
   ];
