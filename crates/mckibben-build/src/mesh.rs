@@ -113,15 +113,6 @@ impl Mesh {
         }
     }
 
-    /// Volume in mm³ by the theorem of Gauss.
-    pub fn volume_mm3(&self) -> f64 {
-        let volume = |t: &[usize; 3]| {
-            let [a, b, c] = t.map(|i| self.corners[i]);
-            dot(a, cross(b, c)) / 6.0
-        };
-        self.triangles.iter().map(volume).sum()
-    }
-
     /// The surface as binary STL: a header of 80 bytes, then normal and corners of each triangle in
     /// 32 bits.
     pub fn to_stl(&self, header: &str) -> Vec<u8> {
