@@ -1,6 +1,6 @@
 //! A family of curves of one test.
 
-use super::{caption, contraction, pressure, pull, said};
+use super::{caption, contraction, pressure, pull, said, told_apart};
 use crate::{CurveAnswer, LoadAnswer, Model, Units, percent};
 use mckibben_core::{
     analysis::{Evaluation, Options},
@@ -123,8 +123,6 @@ pub fn label(test: Test, fixed: f64, u: &Units) -> String {
     }
 }
 
-/// Curves whose bands can be told apart.
-pub const MOST_BANDS: usize = 6;
 /// Points of a load's line.
 const LINE: u32 = 100;
 
@@ -182,11 +180,11 @@ pub fn curves(answer: &CurveAnswer, u: &Units) -> Figure {
             series(&text)
         });
     }
-    let bands = Vec::from_iter(
+    let bands = told_apart(
         list.iter()
             .enumerate()
-            .filter(|_| list.len() <= MOST_BANDS)
-            .filter_map(|(i, curve)| Some(band(curve, test, u)?.colour(i / each))),
+            .filter_map(|(i, curve)| Some(band(curve, test, u)?.colour(i / each)))
+            .collect(),
     );
     let said = said(&bands, "");
     if let Some(loaded) = loaded {

@@ -1,6 +1,6 @@
 //! What was identified: the model over the points, and the residuals.
 
-use super::{caption, contraction, curves::MOST_BANDS, pressure, pull, said, some_of};
+use super::{caption, contraction, pressure, pull, said, some_of, told_apart};
 use crate::{percent, units::Units};
 use mckibben_core::{
     analysis::Evaluation, by_number::ByNumber, extremes::ends, model::Workspace, muscle::Direction,
@@ -241,8 +241,6 @@ fn fit(
             bands.extend((edges.len() > 1).then(|| Series::band(&edges).colour(n)));
         }
     }
-    if bands.len() <= MOST_BANDS {
-        panel.series.append(&mut bands);
-    }
+    panel.series.extend(told_apart(bands));
     panel
 }

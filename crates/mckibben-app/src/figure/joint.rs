@@ -1,6 +1,6 @@
 //! A joint: torques over the angle, and what it reaches.
 
-use super::{caption, curves::MOST_BANDS, said};
+use super::{caption, said, told_apart};
 use crate::{JointAnswer, JointRow, Units};
 use mckibben_core::joint::{JointMap, MapPoint};
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
@@ -71,9 +71,7 @@ fn torques(points: &[JointRow], u: &Units) -> (Panel, Vec<Series>) {
             }
         }
     }
-    if bands.len() > MOST_BANDS {
-        bands.clear();
-    }
+    let bands = told_apart(bands);
     panel.series.extend_from_slice(&bands);
     (panel, bands)
 }
@@ -87,8 +85,8 @@ fn reachable(map: &JointMap) -> [Panel; 2] {
         Axis::new("stiffness −dτ/dφ [N m/rad]").from_zero(),
     )
     .title("reachable at rest")
-    .series(Series::scatter("", points).colour(0))
-    .series(Series::line("", map.border.iter().map(at)).neutral());
+    .series(Series::scatter("a pair of pressures", points).colour(0))
+    .series(Series::line("one at its highest, or at 0", map.border.iter().map(at)).colour(1));
     let [low, high] = [0, 1].map(|end| {
         let line = map.torques.iter().map(|t| (t.0, [t.1, t.2][end]));
         Series::line("", line).neutral()

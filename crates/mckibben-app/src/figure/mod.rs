@@ -21,6 +21,14 @@ pub use tension::tension;
 use crate::Units;
 use mckibben_report::{Axis, Series};
 
+/// Bands that can be told apart: of more than two that of the last curve.
+fn told_apart(mut bands: Vec<Series>) -> Vec<Series> {
+    match bands.len() {
+        0..=2 => bands,
+        all => bands.split_off(all - 1),
+    }
+}
+
 /// What a caption says of the bands, where there are any: `of` which curves they are.
 fn said(bands: &[Series], of: &str) -> String {
     if bands.is_empty() {
