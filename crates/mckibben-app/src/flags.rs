@@ -282,7 +282,7 @@ pub fn stiffness(text: &str) -> Result<crate::Stiffness> {
     let read: Result<mckibben_core::units::typed::Stiffness, _> = text.parse();
     Ok(crate::Stiffness::NewtonPerMm(
         read.map_err(|e| {
-            ProblemKind::Quantity.problem(format!("{e}, or `inextensible`, or `paper`"))
+            ProblemKind::Quantity.problem(format!("{e}, or `inextensible`, or `antonelli2018`"))
         })?
         .0,
     ))

@@ -214,7 +214,7 @@ pub struct MuscleSummary {
     pub angle_deg: f64,
     /// The rubber, by name or law.
     pub rubber: String,
-    /// The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before
+    /// The braid: `antonelli2018`, `inextensible`, its stiffness, or its strands; the sleeve's name before
     /// it.
     pub braid: String,
     /// Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.

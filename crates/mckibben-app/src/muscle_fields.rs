@@ -24,7 +24,7 @@ use std::{
 };
 
 /// A muscle: a muscle file, and values that replace those of the file. Default values are those of
-/// the paper's prototype: D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid `paper`.
+/// the paper's prototype: D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid `antonelli2018`.
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema, Args)]
 #[serde(default)]
@@ -65,7 +65,7 @@ pub struct MuscleFields {
     pub strand_diameter_mm: Option<Length>,
     /// Stiffness of one strand family [paper]
     ///
-    /// In N/mm, or `inextensible`, or `paper`.
+    /// In N/mm, or `inextensible`, or `antonelli2018`.
     #[schemars(extend("x-key" = STIFFNESS.key, "x-symbol" = STIFFNESS.symbol))]
     #[arg(long, value_name = "STIFFNESS", value_parser = flags::stiffness)]
     pub stiffness: Option<Stiffness>,

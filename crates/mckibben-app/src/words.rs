@@ -133,7 +133,7 @@ pub fn law_text(law: &Law) -> String {
 /// The braid in one word or figure.
 pub fn braid_name(m: &Muscle) -> String {
     let stiffness = match m.braid().stiffness {
-        BraidStiffness::Paper => "paper".into(),
+        BraidStiffness::Paper => "antonelli2018".into(),
         BraidStiffness::Inextensible => "inextensible".into(),
         BraidStiffness::NewtonPerMm(k) => format!("{} N/mm", number(k, 4)),
         BraidStiffness::OfStrands => match (m.braid().strands, m.family_stiffness_n_per_mm()) {

@@ -271,7 +271,7 @@ export function niceUp(x) {
  * Parts as people call them: those of the reference muscle by their source. @param {string} what
  */
 const named = (what) => (/** @type {string | null | undefined} */ name) =>
-  name === "paper" ? `${what} (Antonelli 2018)` : (name ?? "");
+  name === "antonelli2018" ? `${what} (Antonelli 2018)` : (name ?? "");
 export const partName = named("silicone"),
   braidName = named("braid");
 

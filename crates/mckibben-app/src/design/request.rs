@@ -220,7 +220,7 @@ pub struct DesignRequest {
     pub strand_modulus_mpa: Option<Pressure>,
     /// Stiffness of one strand family, in N/mm [paper]
     ///
-    /// Or `inextensible`, or `paper`.
+    /// Or `inextensible`, or `antonelli2018`.
     #[arg(long, value_name = "STIFFNESS", value_parser = flags::stiffness, help_heading = "Muscle")]
     pub stiffness: Option<Stiffness>,
     /// Sleeves on sale, by strand length per turn; the tube diameter then sets the angle

@@ -93,12 +93,16 @@ fn words_of_the_contract_are_fields() {
     );
     assert_eq!(point["model"], "thick-wall");
     assert_eq!(point["muscle"]["braid"], "600 N/mm");
-    for word in ["inextensible", "paper"] {
+    for (word, name) in [
+        ("inextensible", "inextensible"),
+        ("antonelli2018", "antonelli2018"),
+        ("paper", "antonelli2018"),
+    ] {
         let point = reply(
             "force",
             json!({ "pressure_mpa": 0.2, "muscle": { "stiffness": word }, "model": "thick-wall" }),
         );
-        assert_eq!(point["muscle"]["braid"], word);
+        assert_eq!(point["muscle"]["braid"], name);
     }
     let curve = reply(
         "curve",

@@ -270,7 +270,7 @@ fn the_make_of_a_table_is_read_or_refused() {
         outer_diameter_mm: d,
         braid_stiffness_n_per_mm: k,
         constants: vec![("c10_mpa".into(), c10), ("c01_mpa".into(), 0.0)],
-        rubber: "paper".into(),
+        rubber: "antonelli2018".into(),
         ..row(Some(1.0), Status::Ok)
     };
     let paper = |d: f64| Made::from_muscle(&Muscle::prototype()).stiffness_n_per_mm(d);

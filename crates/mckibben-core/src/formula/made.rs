@@ -242,7 +242,7 @@ impl MadeRubber {
         self.name == rubber.name && library::follows(rubber)
     }
 
-    /// In words: `paper (mooney-rivlin, c10_mpa 0.12, c01_mpa 0)`.
+    /// In words: `antonelli2018 (mooney-rivlin, c10_mpa 0.12, c01_mpa 0)`.
     pub fn text(&self) -> String {
         let bulk = self
             .bulk_modulus_mpa

@@ -35,14 +35,16 @@ fn range(m: &Muscle) -> ModelRange {
         let name = rubber
             .name
             .as_deref()
-            .filter(|n| *n != "paper")
+            .filter(|n| *n != "antonelli2018")
             .unwrap_or("another");
         make.push(format!(
-            "the rubber is {name}, the formula is for the rubber `paper`"
+            "the rubber is {name}, the formula is for the rubber `antonelli2018`"
         ));
     }
     if m.braid().stiffness != crate::muscle::BraidStiffness::Paper {
-        make.push("the braid has its own stiffness, the formula is for the braid `paper`".into());
+        make.push(
+            "the braid has its own stiffness, the formula is for the braid `antonelli2018`".into(),
+        );
     }
     of_sections(&FormulaModel::PAPER_RANGE, (LENGTH_MM, ANGLE_DEG), make, m)
 }
@@ -66,7 +68,7 @@ impl FormulaModel {
             reference: Reference::Elements(
                 "its authors state about 2 % and at most 50 N against their own finite elements; \
                  95 % of 1889 points over its box lie within 3.9 % of this program's axisymmetric \
-                 ones (rubber and braid `paper`), the worst at 5.9 % near D0 37.5 mm: the \
+                 ones (rubber and braid `antonelli2018`), the worst at 5.9 % near D0 37.5 mm: the \
                  published C block, linear in D0, is weakest near D0 35–40 mm",
             ),
         };

@@ -20,7 +20,7 @@ pub struct ModelRange {
     /// What of the muscle lies outside of them.
     pub muscle: Vec<RangeViolation>,
     /// Parts of the muscle that differ from what the model was made for and are not numbers
-    /// ("the rubber is dragon-skin-30, the formula is for `paper`").
+    /// ("the rubber is dragon-skin-30, the formula is for `antonelli2018`").
     pub make: Vec<String>,
 }
 

@@ -19,7 +19,7 @@ pub const SLEEVE_ANGLE_TOLERANCE_DEG: f64 = 0.5;
 /// How stiff a strand family is, as a force per length of a cut across the strands: k =
 /// E·A/spacing.
 ///
-/// As data (serde): a number in N/mm, `"inextensible"` or `"paper"`.
+/// As data (serde): a number in N/mm, `"inextensible"` or `"antonelli2018"`, which `"paper"` is too.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(rename = "Stiffness")]
@@ -27,7 +27,8 @@ pub enum BraidStiffness {
     /// Strands that do not stretch: the limit k → ∞.
     Inextensible,
     /// The paper's braid: k = 452 N/mm · (D0/40 mm)^1.2, identified together with the rubber
-    /// `paper` (`docs/paper.md`).
+    /// `antonelli2018` (`docs/paper.md`).
+    #[serde(rename = "antonelli2018")]
     Paper,
     /// From [`Strands`]: k = E·A/spacing, spacing = π D0 cosθ0/(N/2).
     #[serde(skip)]
@@ -39,6 +40,7 @@ pub enum BraidStiffness {
 
 const STIFFNESS: Words<BraidStiffness> = Words {
     words: &[
+        ("antonelli2018", BraidStiffness::Paper),
         ("paper", BraidStiffness::Paper),
         ("inextensible", BraidStiffness::Inextensible),
     ],
@@ -161,14 +163,14 @@ fn strands_incomplete(missing: &str) -> MuscleError {
 }
 
 impl Braid {
-    /// Outer diameters in mm from which the stiffness `paper` comes: its muscles had these.
+    /// Outer diameters in mm from which the stiffness `antonelli2018` comes: its muscles had these.
     pub const PAPER_DIAMETERS_MM: (f64, f64) = (30.0, 50.0);
-    /// k of the braid `paper` at D0 40 mm, in N/mm.
+    /// k of the braid `antonelli2018` at D0 40 mm, in N/mm.
     pub const PAPER_AT_40_N_PER_MM: f64 = 452.0;
     /// Its k grows like this power of D0.
     pub const PAPER_EXPONENT: f64 = 1.2;
 
-    /// The paper's braid: 28°, stiffness `paper`.
+    /// The paper's braid: 28°, stiffness `antonelli2018`.
     pub fn paper() -> Self {
         Self {
             angle_deg: 28.0,
@@ -324,7 +326,7 @@ impl Braid {
         let scaled = self.stiffness == BraidStiffness::Paper && !(least..=largest).contains(&d);
         scaled.then(|| {
             format!(
-                "the braid `paper` is known for D0 {least}\u{a0}mm to {largest}\u{a0}mm; on \
+                "the braid `antonelli2018` is known for D0 {least}\u{a0}mm to {largest}\u{a0}mm; on \
                  {d}\u{a0}mm its stiffness is scaled like D0^{}, which no sleeve does: name a \
                  sleeve, or state stiffness or strands",
                 Self::PAPER_EXPONENT

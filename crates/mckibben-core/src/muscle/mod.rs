@@ -105,7 +105,7 @@ impl Muscle {
         })
     }
 
-    /// The paper's prototype: D0 30, s 3, L0 285 mm, θ0 28°, rubber and braid `paper`.
+    /// The paper's prototype: D0 30, s 3, L0 285 mm, θ0 28°, rubber and braid `antonelli2018`.
     pub fn prototype() -> Self {
         let parts = Parts {
             tube: Tube::prototype(),

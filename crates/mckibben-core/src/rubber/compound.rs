@@ -64,7 +64,7 @@ pub enum Conditioned {
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Rubber {
-    /// Name in the library of rubbers (`paper`, `dragon-skin-30`), where it has one. A muscle gives
+    /// Name in the library of rubbers (`antonelli2018`, `dragon-skin-30`), where it has one. A muscle gives
     /// a rubber of the library the law for its own stretches; with other constants a name is only a
     /// name.
     pub name: Option<String>,
@@ -94,12 +94,12 @@ pub struct Rubber {
 }
 
 impl Rubber {
-    /// The rubber `paper`: Mooney–Rivlin C10 0.112 MPa, C01 0, incompressible. Identified with
-    /// axisymmetric finite elements from the paper's Table 1 and formula (11)
-    /// (`docs/paper.md`).
+    /// The rubber `antonelli2018`, which `paper` is too: Mooney–Rivlin C10 0.112 MPa, C01 0,
+    /// incompressible. Identified with axisymmetric finite elements from the paper's Table 1 and
+    /// formula (11) (`docs/paper.md`).
     pub fn paper() -> Self {
         Self {
-            name: Some("paper".into()),
+            name: Some("antonelli2018".into()),
             ..Self::new(Law::MooneyRivlin(MooneyRivlin {
                 c10_mpa: 0.112,
                 c01_mpa: 0.0,

@@ -126,7 +126,7 @@ function choices(store) {
   /** @type {[string, string][]} */ const names = [
     ["", ""],
     ["inextensible", "inextensible"],
-    ["paper", "braid (Antonelli 2018)"],
+    ["antonelli2018", "braid (Antonelli 2018)"],
     ["k", "Custom stiffness"],
   ];
   const put = (/** @type {string} */ key) => (/** @type {string} */ name) =>

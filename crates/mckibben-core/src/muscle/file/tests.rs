@@ -380,11 +380,11 @@ fn the_prototype_is_written_for_people() {
 outer_diameter = "30 mm"
 wall_thickness = "3 mm"
 length = "285 mm"                # between the terminals
-rubber = "paper"                 # or [tube.material] with a law and its constants
+rubber = "antonelli2018"         # or [tube.material] with a law and its constants
 
 [braid]
 angle = "28 deg"                 # strands to the muscle's axis, at rest
-stiffness = "paper"              # k of one strand family: "321 N/mm", "inextensible", or "paper"
+stiffness = "antonelli2018"      # k of one strand family: "321 N/mm", "inextensible", or "antonelli2018"
 "#,
         env!("CARGO_PKG_VERSION")
     );

@@ -8,7 +8,7 @@ use crate::rubber::{Law, Rubber};
 /// ([`Muscle::reach`](crate::muscle::Muscle::reach)).
 pub const USUAL_REACH: f64 = 1.9662;
 /// By how much data should reach farther than the ideal muscle does. Strands that stretch let the
-/// wall go on: in finite elements at free contraction, on the braid `paper` at θ0 20° to 35° and
+/// wall go on: in finite elements at free contraction, on the braid `antonelli2018` at θ0 20° to 35° and
 /// walls of 1 to 5 mm, the largest stretch is 1 to 51 % below the reach at 1 and 2 bar, 10 % below
 /// to 5 % above it at 4 bar, and 4 to 11 % above at 8 bar.
 pub const COVERING: f64 = 1.05;

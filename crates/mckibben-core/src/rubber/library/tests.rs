@@ -190,7 +190,7 @@ fn names_are_forgiving_and_slips_are_named() {
         message("dragonskin-30"),
         "there is no rubber named \"dragonskin-30\" (did you mean dragon-skin-30?)"
     );
-    assert!(message("concrete").contains("known: paper, treloar-natural-rubber"));
+    assert!(message("concrete").contains("known: antonelli2018, treloar-natural-rubber"));
     assert_eq!(
         message("rtv615:yoeh"),
         "rtv615 has no fit of the law \"yoeh\"; it has neo-hookean, mooney-rivlin, gent, \
