@@ -169,7 +169,12 @@ fn outputs(case: &Case) -> Vec<Output> {
         ("simulate", points, Some(e)),
         ("check", at.clone(), Some(0.0)),
         ("build", at.clone(), of_job),
-        ("export", with(at.clone(), json!({ "target": "c" })), of_job),
+        // Without a job it is that of the length at rest.
+        (
+            "export",
+            with(at.clone(), json!({ "target": "c" })),
+            of_job.or(Some(0.0)),
+        ),
         ("contraction", with(at, json!({ "force_n": 0 })), None),
         ("joint", joint, None),
         (
@@ -237,6 +242,24 @@ fn identity_every_output_has_the_pull_limits_and_warnings_of_force() {
             }
         }
     }
+}
+
+/// An identity: `check` and `build` of a muscle at a pressure have one blocked force of the model.
+#[test]
+fn identity_check_and_build_have_one_blocked_force() {
+    let mut compared = 0;
+    for case in cases() {
+        let muscle = json!({ "file": file("muscle.toml", &case.text) });
+        let at = json!({ "muscle": muscle, "pressure_mpa": case.pressure_mpa });
+        let Ok(built) = ask_value("build", at.clone(), &Silent) else {
+            continue;
+        };
+        let checked = reply("check", at);
+        let blocked_n = |answer: &Value| found(answer, "blocked_force_n").unwrap().as_f64();
+        assert_eq!(blocked_n(&checked), blocked_n(&built), "{}", case.name);
+        compared += 1;
+    }
+    assert!(compared > 4, "{compared}");
 }
 
 /// mean + friction + take-up + ends + factor = median (interface, version 4).
