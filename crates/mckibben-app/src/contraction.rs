@@ -3,7 +3,7 @@
 
 use crate::{Problem, ProblemKind, Result, finite};
 use mckibben_core::units::{
-    Dimension, RangeError,
+    Dimension, RangeError, tidy,
     typed::{Length, List, Ratio},
 };
 use schemars::JsonSchema;
@@ -39,10 +39,13 @@ enum Given {
 impl Contractions {
     /// The ratios, of a muscle of the length L0 in mm.
     pub fn of_length(&self, length_mm: f64) -> Result<Vec<f64>> {
-        let divisor = if self.in_mm { length_mm } else { 1.0 };
+        let of_length = |value: &f64| match self.in_mm {
+            true => tidy(value / length_mm, 15),
+            false => *value,
+        };
         self.values
             .iter()
-            .map(|value| ratio(value / divisor))
+            .map(|value| ratio(of_length(value)))
             .collect::<Result<_>>()
             .map_err(|problem| match self.in_mm {
                 true => problem.with_hint(format!("the muscle is {length_mm} mm long")),

@@ -273,16 +273,21 @@ impl FitRequest {
         let wrong = |message: String| Err(ProblemKind::Usage.problem(message).in_field("hold_out"));
         let there = distinct(points.iter().map(|p| p.outer_diameter_mm));
         let is_there = |d: &f64| there.iter().any(|known| same(*known, *d));
-        let share = self.hold_out_share.map_or(0.0, f64::from);
-        let held = match &self.hold_out_mm {
-            None if (0.0..1.0).contains(&share) => return Ok((vec![], share)),
-            None => return wrong(format!("a share of {} % leaves no muscle", 100.0 * share)),
-            Some(_) if share != 0.0 => {
+        let held = match (&self.hold_out_mm, self.hold_out_share.map(f64::from)) {
+            (None, None) => return Ok((vec![], 0.0)),
+            (None, Some(share)) if share > 0.0 && share < 1.0 => return Ok((vec![], share)),
+            (None, Some(share)) => {
+                return wrong(format!(
+                    "a share of {} % leaves no muscle in or out",
+                    100.0 * share
+                ));
+            }
+            (Some(_), Some(_)) => {
                 return wrong("diameters and a share are given: leave one out".into());
             }
-            Some(Choice::One(d)) => vec![f64::from(*d)],
-            Some(Choice::Several(list)) => list.iter().map(|d| f64::from(*d)).collect(),
-            Some(Choice::Between { low, high }) => {
+            (Some(Choice::One(d)), _) => vec![f64::from(*d)],
+            (Some(Choice::Several(list)), _) => list.iter().map(|d| f64::from(*d)).collect(),
+            (Some(Choice::Between { low, high }), _) => {
                 let ends = f64::from(*low)..=f64::from(*high);
                 there.iter().copied().filter(|d| ends.contains(d)).collect()
             }

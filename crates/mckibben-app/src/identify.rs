@@ -60,27 +60,16 @@ pub struct IdentifyRequest {
     pub log_offset_s: Option<Time>,
     /// Free constants, all others being known [all constants, each with what measured muscles
     /// tell of it]
-    #[arg(
-        long,
-        value_name = "LIST",
-        value_delimiter = ',',
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub free: Vec<String>,
     /// Fix a constant: NAME=VALUE
-    #[arg(
-        long,
-        value_name = "LIST",
-        value_delimiter = ',',
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub fix: Vec<String>,
     /// Bounds of free constants: NAME=LOW:HIGH
     #[arg(
         long,
         value_name = "LIST",
         value_delimiter = ',',
-        allow_hyphen_values = true,
         hide_short_help = true
     )]
     pub bounds: Vec<String>,

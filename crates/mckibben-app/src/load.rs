@@ -22,7 +22,7 @@ pub struct LoadFields {
     /// A mass, a force, a spring with its preload (12N/mm@50N), lever:5kg@300mm/40mm/-30deg (mass,
     /// its distance from the pivot, the pulley's radius, the angle from the horizontal),
     /// table:load.csv; several joined by +.
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     pub load: Option<String>,
     /// The tables that it names.
     #[arg(skip)]

@@ -12,6 +12,7 @@ use mckibben_core::{
     },
     rubber::library,
     sleeve::{self, Sleeve},
+    units::tidy,
 };
 use mckibben_fit::library as muscles;
 use schemars::JsonSchema;
@@ -78,7 +79,7 @@ impl MuscleFields {
         if let Some(tube) = &self.tube {
             of_tube = tube.part.as_ref().map(|(_, rubber)| rubber.clone());
             measures.set(&OUTER_DIAMETER, tube.outer_mm);
-            measures.set(&WALL, 0.5 * (tube.outer_mm - tube.inner_mm));
+            measures.set(&WALL, tidy(0.5 * (tube.outer_mm - tube.inner_mm), 12));
         }
         Ok(Stated {
             measures,

@@ -40,7 +40,7 @@ pub struct RubberFitRequest {
     #[arg(long = "law", value_name = "LIST", value_delimiter = ',', value_parser = flags::laws())]
     pub laws: Vec<String>,
     /// Leave out points beyond this stretch (3) or strain (200%) [that of a muscle]
-    #[arg(long = "up-to", value_name = "STRETCH", value_parser = flags::stretch)]
+    #[arg(long = "up-to", value_name = "STRETCH", value_parser = flags::stretch, allow_hyphen_values = true)]
     pub up_to_stretch: Option<f64>,
     /// Branches of a Prony series that is fitted as well, from a column of times
     ///

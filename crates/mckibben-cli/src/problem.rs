@@ -16,13 +16,11 @@ pub fn of_value(error: &clap::Error) -> Option<Problem> {
     let problem = if let Some(problem) = source.downcast_ref::<Problem>() {
         problem.clone()
     } else if let Some(error) = source.downcast_ref::<QuantityError>() {
-        let is_range = error.problem.starts_with("is a range");
-        let hint = "`mckibben curve` takes ranges";
-        Problem::new(
-            ProblemKind::Quantity,
-            error.to_string(),
-            if is_range { hint } else { "" },
-        )
+        let hint = match error.problem.starts_with("is a range") {
+            true => "`mckibben curve` takes ranges",
+            false => "",
+        };
+        Problem::new(ProblemKind::Quantity, error.to_string(), hint)
     } else {
         let kind = match source.downcast_ref::<RangeError>()? {
             RangeError::Quantity(_) => ProblemKind::Quantity,
@@ -92,8 +90,8 @@ pub fn of_gone_flag(error: &clap::Error, context: &Context) -> Option<Problem> {
         return None;
     }
     let command = std::env::args_os().nth(1).unwrap_or_default();
-    let is_gone = |gone: &&(&str, &[&str], &str)| command == gone.0 && gone.1.contains(&&**flag);
-    if let Some((name, _, hint)) = GONE.iter().find(is_gone) {
+    let mut gone = GONE.iter();
+    if let Some((name, _, hint)) = gone.find(|g| command == g.0 && g.1.contains(&&**flag)) {
         return Some(Problem::usage(
             format!("`mckibben {name}` has no {flag} any more"),
             *hint,
@@ -127,8 +125,8 @@ pub fn of_gone_command(error: &clap::Error) -> Option<Problem> {
     let Some(ContextValue::String(word)) = error.get(ContextKind::InvalidSubcommand) else {
         return None;
     };
-    let is_gone = word == "validate";
-    is_gone.then(|| Problem::usage("`validate` is now a study", "cargo study validation"))
+    (word == "validate")
+        .then(|| Problem::usage("`validate` is now a study", "cargo study validation"))
 }
 
 /// A word that a command had, which is read as a file.
@@ -153,9 +151,10 @@ pub fn of_gone_word() -> Option<Problem> {
 
 /// An argument whose letters are not those of a text.
 pub fn of_letters(error: &clap::Error) -> Option<Problem> {
-    let is_wrong = |arg: &std::ffi::OsString| arg.to_str().is_none();
-    let of_letters = error.kind() == ErrorKind::InvalidUtf8;
-    let arg = std::env::args_os().find(|arg| of_letters && is_wrong(arg))?;
+    if error.kind() != ErrorKind::InvalidUtf8 {
+        return None;
+    }
+    let arg = std::env::args_os().find(|arg| arg.to_str().is_none())?;
     let message = format!("the argument \"{}\" is not UTF-8", arg.to_string_lossy());
     Some(Problem::usage(message, "rename the file"))
 }
@@ -194,8 +193,7 @@ pub fn in_words(mut problem: Problem, context: &Context) -> Problem {
     if !matches!(problem.kind, ProblemKind::File | ProblemKind::Formula) {
         problem.message = context.in_flags(&problem.message);
     }
-    let field = problem.field.as_deref();
-    let flag = field.and_then(|field| context.flag_of(field));
+    let flag = problem.field.as_deref().and_then(|f| context.flag_of(f));
     if let Some(flag) = flag.filter(|flag| !problem.message.starts_with(flag)) {
         problem.message = format!("{flag}: {}", problem.message);
     }

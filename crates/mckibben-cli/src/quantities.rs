@@ -12,9 +12,9 @@ pub fn unit_note(flag: &str, text: &str) -> Option<String> {
         return None;
     }
     let numbers: Result<Vec<f64>, _> = text
+        .replace("..", ",")
         .split([',', ':'])
-        .flat_map(|part| part.split(".."))
-        .map(|part| part.trim().parse::<f64>())
+        .map(|part| part.trim().parse())
         .collect();
     Some(format!(
         "{flag} {text}: {}",
@@ -27,12 +27,11 @@ fn meant(mpa: f64) -> String {
     /// Pressures of muscles in MPa.
     const USUAL: std::ops::RangeInclusive<f64> = 0.08..=1.2;
     let units = ["bar", "psi", "kPa", "mbar", "Pa"];
-    let inside = |unit: &str| Some(Dimension::Pressure.unit(unit)?.inside(mpa));
-    let likely = Vec::from_iter(
-        units
-            .into_iter()
-            .filter(|unit| inside(unit).is_some_and(|p| USUAL.contains(&p))),
-    );
+    let is_usual = |unit: &&str| {
+        let unit = Dimension::Pressure.unit(unit);
+        unit.is_some_and(|unit| USUAL.contains(&unit.inside(mpa)))
+    };
+    let likely = Vec::from_iter(units.into_iter().filter(is_usual));
     let [mpa, bar] = [mpa, 10.0 * mpa].map(|v| short_numbers(&v.to_string()).into_owned());
     let said = format!("a bare {mpa} is {mpa} MPa = {bar} bar");
     match likely[..] {

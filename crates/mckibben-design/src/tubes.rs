@@ -6,7 +6,8 @@
 
 use mckibben_core::{
     catalogue::{CastRow, PartsFile, Sources},
-    rubber::{LibraryError, Rubber, library},
+    rubber::{Rubber, library},
+    units::tidy,
 };
 use serde::Serialize;
 use std::{collections::BTreeSet, sync::OnceLock};
@@ -178,7 +179,7 @@ fn part(
     source: &str,
 ) -> Result<TubePart, TubeError> {
     let wrong = |problem: String| TubeError(format!("the tube {name}: {problem}"));
-    let wall_mm = (5e8 * (outer_diameter_mm - inner_diameter_mm)).round() * 1e-9;
+    let wall_mm = tidy(0.5 * (outer_diameter_mm - inner_diameter_mm), 12);
     if !(inner_diameter_mm > 0.0 && wall_mm > 0.0 && wall_mm.is_finite()) {
         return Err(wrong(
             "the inner diameter must be above zero and below the outer one".into(),
@@ -188,7 +189,7 @@ fn part(
         inner_diameter_mm,
         outer_diameter_mm,
         wall_mm,
-        rubber: library::find(rubber).map_err(|e: LibraryError| wrong(e.to_string()))?,
+        rubber: library::find(rubber).map_err(|e| wrong(e.to_string()))?,
         density_kg_per_m3: library::entry(rubber)
             .ok()
             .and_then(|e| e.density_kg_per_m3),

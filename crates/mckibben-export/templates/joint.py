@@ -128,7 +128,8 @@ def _pressures(xp, angle, torque, stiffness):
     first = low
     if sought:
         first, met = _first(xp, angle, needed, stiffness, ends, low, high)
-        first, answered = xp.where(answered, first, low), answered & met
+        # 0 asks for none.
+        first, answered = xp.where(answered & (stiffness != 0), first, low), answered & (met | (stiffness == 0))
     nothing = 0 * xp.ones_like(needed)
     return tuple(xp.where(finite, p, nothing) for p in _pulled(xp, needed, ends, first)), answered
 
@@ -183,7 +184,7 @@ def _first(xp, angle, needed, stiffness, ends, low, high):
 
 
 def pressures(angle, torque, stiffness=None):
-    """Pressures from 0 to the supply, one of each muscle, for a torque and a stiffness at an angle: the lowest ones. Where nothing gives what is wanted, those that come near it; see `pressures_status`."""
+    """Pressures from 0 to the supply, one of each muscle, for a torque and a stiffness (0 or none: whatever it is) at an angle: the lowest ones. Where nothing gives what is wanted, those that come near it; see `pressures_status`."""
     if stiffness is None:
         xp, values = _arrays(angle, torque)
         return _pressures(xp, *values, None)[0]

@@ -317,14 +317,14 @@ impl<const N: usize> Joint<N> {
         Found { best, is_met: is_met || closest <= enough, reached }
     }
 
-    /// Pressures, from 0 to the supply, for a torque and a stiffness at an angle: the lowest ones for the torque, and of those that give the stiffness the
-    /// lowest. With one muscle the stiffness is ignored. Where nothing gives what is wanted, [`NO_ANSWER`] and pressures that come near it; of what is not a
-    /// finite number they are 0.
+    /// Pressures, from 0 to the supply, for a torque and a stiffness at an angle: the lowest ones for the torque where no stiffness, or 0, is sought, and of
+    /// those that give the stiffness the lowest. With one muscle the stiffness is ignored. Where nothing gives what is wanted, [`NO_ANSWER`] and pressures that
+    /// come near it; of what is not a finite number they are 0.
     pub fn pressures_pa(&self, angle_rad: Real, torque_nm: Real, stiffness_nm_per_rad: Option<Real>) -> Answer<[Real; N]> {
         let place = self.place(angle_rad, torque_nm);
         let (pulls, missing) = self.pulls(&place);
         let status = self.outside(angle_rad) | missing;
-        let sought = stiffness_nm_per_rad.filter(|_| N > 1);
+        let sought = stiffness_nm_per_rad.filter(|sought| N > 1 && *sought != 0.0);
         if !(place.needed + sought.unwrap_or(0.0)).is_finite() {
             return answer(([0.0; N], status | NO_ANSWER));
         }

@@ -117,6 +117,10 @@ impl Search<'_> {
                 percent(q.response.contraction),
                 show(Dimension::Pressure, q.response.pressure_mpa)
             );
+            let by = match spec.built {
+                true => String::new(),
+                false => format!(" by {}", first.model),
+            };
             let built = q.built.map(|built| {
                 let [low, high, median] = [
                     built.predicted_low_n,
@@ -124,13 +128,13 @@ impl Search<'_> {
                     built.predicted_n,
                 ]
                 .map(|n| within(n, built.half_n()));
-                let by = match spec.built {
+                let median = match spec.built {
                     true => String::new(),
-                    false => format!(" by {}; as built {median}\u{a0}N", first.model),
+                    false => format!("; as built {median}\u{a0}N"),
                 };
-                format!("{by} ({low}\u{a0}N to {high}\u{a0}N, 95 %)")
+                format!("{median} ({low}\u{a0}N to {high}\u{a0}N, 95 %)")
             });
-            wanted + &built.unwrap_or_default()
+            wanted + &by + &built.unwrap_or_default()
         };
         let facts = [
             Some(format!("{}\u{a0}mm wide", number(first.width_mm, 3))),

@@ -256,9 +256,6 @@ pub struct DesignRequest {
     pub figure: Option<Units>,
 }
 
-/// Length of a muscle in mm below which metres were meant.
-const SHORTEST_MM: f64 = 2.0;
-
 impl DesignRequest {
     /// Which fields exclude each other, and which ones need others.
     pub fn validate(&self) -> Result<()> {
@@ -270,17 +267,6 @@ impl DesignRequest {
                 format!("give `certainty` {percent}%"),
             )
             .in_field("guaranteed"));
-        }
-        if let Some(Choice::One(Length(mm))) = self.length_mm
-            && mm > 0.0
-            && mm < SHORTEST_MM
-        {
-            return Err(Problem::new(
-                ProblemKind::Specification,
-                format!("{mm}\u{a0}mm is shorter than any muscle"),
-                format!("did you mean {mm}\u{a0}m?"),
-            )
-            .in_field("length_mm"));
         }
         let [force, points, torques] = stated!(self; force_n, points, torques);
         let load = ("load", self.load.load.is_some());

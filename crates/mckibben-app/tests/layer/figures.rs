@@ -320,6 +320,7 @@ fn muscles_that_are_not_in_the_table_are_refused_with_those_that_are() {
             ["of this range", "30, 35, 40, 45, 50"],
         ),
         (json!({ "hold_out_share": 1.2 }), ["120 %", "no muscle"]),
+        (json!({ "hold_out_share": 0 }), ["0 %", "no muscle"]),
         (
             json!({ "hold_out_mm": 35, "hold_out_share": 0.2 }),
             ["diameters and a share", "leave one out"],

@@ -49,12 +49,6 @@ impl FitError {
         ))
     }
 
-    pub(crate) fn no_blocked() -> Self {
-        let why = "no muscle is inflated at contraction 0, and errors are shares of the blocked \
-            force: add contraction 0 to the plan";
-        Self::Refused(why.into())
-    }
-
     /// Refuses a formula that is further off than zero would be: a pull is a share of the blocked
     /// force between 0 and 1, and so is what zero misses.
     pub(crate) fn refuse_absurd(rms: f64) -> Result<()> {

@@ -400,13 +400,14 @@ pub struct Fittable {
     several: bool,
     /// Whether angle, wall over diameter, and rubber vary.
     varied: [bool; 3],
-    /// Whether a muscle is inflated at contraction 0.
+    /// Whether an inflated muscle has an answer at contraction 0.
     blocked: bool,
     /// Why the rows make no formula.
     refused: Option<FitError>,
 }
 
 impl Fittable {
+    /// Adds a row that has an answer.
     pub fn add(&mut self, row: &PointRow) {
         self.blocked |= row.contraction == 0.0 && row.pressure_mpa > 0.0;
         if self.last_muscle.replace(row.muscle) == Some(row.muscle) {
@@ -433,7 +434,11 @@ impl Fittable {
         let method = if self.several { "universal" } else { "global" };
         let one = VARIED.iter().zip(self.varied).find(|(_, varied)| !varied);
         let refused = match (&self.refused, one) {
-            (None, _) if !self.blocked => Some(FitError::no_blocked()),
+            (None, _) if !self.blocked => Some(FitError::Refused(
+                "no inflated muscle has an answer at contraction 0, and errors are shares of the \
+                 blocked force: add contraction 0 to the plan, or pressures that have answers"
+                    .into(),
+            )),
             (None, Some((quantity, _))) if self.several => Some(FitError::of_one(quantity)),
             (refused, _) => refused.clone(),
         };

@@ -6,7 +6,7 @@ use mckibben_core::units::{
     RangeError,
     typed::{Choice, Length, Ratio},
 };
-use std::{ffi::OsStr, path::PathBuf, str::FromStr};
+use std::{path::PathBuf, str::FromStr};
 
 /// A formula from a table of points.
 #[derive(clap::Args)]
@@ -23,7 +23,7 @@ pub struct Fit {
     request: FitRequest,
     /// Muscles to leave out of the fit, to test it: diameters D0 (35mm; 12..20mm), or a share (20%),
     /// evenly in the order of D0 and wall
-    #[arg(long, value_name = "D0 or SHARE")]
+    #[arg(long, value_name = "D0 or SHARE", allow_hyphen_values = true)]
     hold_out: Option<HoldOut>,
     /// Write figures (SVG) into a folder, and of `--method paper` the tables of its steps (CSV) beside
     /// Table 2 of the paper
@@ -63,8 +63,8 @@ impl Fit {
             Some(HoldOut::Share(share)) => request.hold_out_share = Some(share),
             None => {}
         }
-        let is_campaign = |end: &OsStr| end.eq_ignore_ascii_case("parquet");
-        if self.file.is_dir() || self.file.extension().is_some_and(is_campaign) {
+        let ending = self.file.extension();
+        if self.file.is_dir() || ending.is_some_and(|end| end.eq_ignore_ascii_case("parquet")) {
             request.campaign = Some(self.file);
         } else {
             request.table = Some(TextFile::table(&self.file)?);

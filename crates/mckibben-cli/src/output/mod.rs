@@ -116,12 +116,17 @@ impl Context {
             Format::Json => self.emit(plain(format!("{:#}\n", json(answer)?)), target),
             Format::Csv => {
                 let csv = answer.csv();
-                let warnings = answer.warnings();
-                warnings
+                answer
+                    .warnings()
                     .iter()
                     .chain(&csv.warnings)
                     .filter(|w| w.is_of_burst())
                     .for_each(|w| self.warn(w));
+                // What has no rows says why.
+                if csv.rows.as_ref().is_ok_and(Vec::is_empty) {
+                    let text = self.laid_out(&page(&self.units), width::STABLE);
+                    complain(clean::lines(&plain(text)).trim());
+                }
                 self.emit(table::csv(&CsvTable::of(csv)?)?, target)
             }
         }

@@ -17,6 +17,7 @@ fn a_full_disk_is_an_error_and_no_panic() {
     let full = full.unwrap();
     let full = || full.try_clone().unwrap();
     for line in [
+        "--version",
         "parts list models",
         "force -p 0.2",
         "curve isobaric",

@@ -154,14 +154,6 @@ pub struct Braid {
 pub const NEEDS_STRANDS: &str = "a braid described by its strands needs `strands`, \
     `strand_area` (or `strand_diameter`) and `strand_modulus`";
 
-fn strands_incomplete(missing: &str) -> MuscleError {
-    let keys = ["braid.strand_area", "braid.strand_modulus", "braid.strands"];
-    MuscleError::new(
-        keys,
-        format!("braid: {missing} is missing; {NEEDS_STRANDS}"),
-    )
-}
-
 impl Braid {
     /// Outer diameters in mm from which the stiffness `antonelli2018` comes: its muscles had these.
     pub const PAPER_DIAMETERS_MM: (f64, f64) = (30.0, 50.0);
@@ -255,17 +247,17 @@ impl Braid {
         if let BraidStiffness::NewtonPerMm(k) = self.stiffness {
             positive("braid.stiffness", k, "N/mm")?;
         }
-        match (&self.strands, self.stiffness) {
-            (None, BraidStiffness::OfStrands) => Err(strands_incomplete("strands")),
-            (Some(strands), BraidStiffness::OfStrands) => {
-                match (strands.area_mm2, strands.modulus_mpa) {
-                    (None, _) => Err(strands_incomplete("strand_area")),
-                    (_, None) => Err(strands_incomplete("strand_modulus")),
-                    _ => Ok(()),
-                }
-            }
-            _ => Ok(()),
-        }
+        let missing = match self.strands {
+            _ if self.stiffness != BraidStiffness::OfStrands => return Ok(()),
+            None => "strands",
+            Some(strands) if strands.area_mm2.is_none() => "strand_area",
+            Some(strands) if strands.modulus_mpa.is_none() => "strand_modulus",
+            Some(_) => return Ok(()),
+        };
+        Err(MuscleError::new(
+            ["braid.strand_area", "braid.strand_modulus", "braid.strands"],
+            format!("braid: {missing} is missing; {NEEDS_STRANDS}"),
+        ))
     }
 
     /// Crimp whose measures are possible by themselves.
@@ -282,12 +274,15 @@ impl Braid {
                  stiffness that they have before they are straight, above 0 and at most 1"
             )
         })?;
-        let gives = self.stiffness != BraidStiffness::Inextensible;
-        Refused::unless(gives, ["braid.crimp", "braid.stiffness"], || {
-            "braid.crimp needs strands with a stiffness: it is a share of it that they have before \
-             they are straight"
-                .into()
-        })
+        Refused::unless(
+            self.stiffness != BraidStiffness::Inextensible,
+            ["braid.crimp", "braid.stiffness"],
+            || {
+                "braid.crimp needs strands with a stiffness: it is a share of it that they have \
+                 before they are straight"
+                    .into()
+            },
+        )
     }
 
     /// Whether the tube fits into the sleeve.

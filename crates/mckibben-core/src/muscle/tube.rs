@@ -4,6 +4,9 @@ use super::error::MuscleError;
 use crate::{refused::Refused, rubber::Rubber};
 use std::borrow::Cow;
 
+/// Length of a muscle in mm below which metres were meant.
+const SHORTEST_MM: f64 = 2.0;
+
 /// A tube at rest, between the terminals.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tube {
@@ -47,6 +50,13 @@ impl Tube {
     }
 
     pub(super) fn check(&self) -> Result<(), MuscleError> {
+        let length_mm = self.length_mm;
+        Refused::unless(length_mm >= SHORTEST_MM, ["tube.length"], || {
+            format!(
+                "tube.length is {length_mm}\u{a0}mm, shorter than any muscle: did you mean \
+                 {length_mm}\u{a0}m?"
+            )
+        })?;
         let radius_mm = self.outer_radius_mm();
         let wall_mm = self.wall_mm;
         Refused::unless(

@@ -67,7 +67,7 @@ fn by_python(folder: &std::path::Path, states: &[[f64; 3]], wanted: &[[f64; 3]])
         "import numpy as n, joint_elbow as j\na, *p = n.array({states:?}).T\np = \
          p[:len(j.MUSCLES)]\nd = [*j.torque_per_pressure(p, a), 0 * a][:2]\nfor r in \
          zip(j.torque(p, a), j.stiffness(p, a), *d, *j.limits(a), j.status(p, a)): \
-         print(*map(float, r))\na, t, k = n.array({wanted:?}).T\nk = None if k[0] == 0 else k\nfor \
+         print(*map(float, r))\na, t, k = n.array({wanted:?}).T\nfor \
          r in zip(*[*j.pressures(a, t, k), 0 * a][:2], j.pressures_status(a, t, k)): \
          print(*map(float, r))\n"
     );
@@ -89,7 +89,7 @@ fn by_rust(
          j.limits_nm(a);\nprintln!(\"{{}} {{}} {{}} {{}} {{}} {{}} {{}}\", nearest(j.torque_nm(p, a)), \
          nearest(j.stiffness_nm_per_rad(p, a)), d[0], d.get(1).unwrap_or(&0.0), l[0], l[1], \
          j.status(p, a));\n}}\nfor [a, t, k] in {wanted:?} as [[f64; 3]; {}] {{\nlet p = \
-         j.pressures_pa(a, t, Some(k).filter(|k| *k != 0.0));\nlet s = p.err().map_or(0, |o| \
+         j.pressures_pa(a, t, Some(k));\nlet s = p.err().map_or(0, |o| \
          o.status);\nlet p = nearest(p);\nprintln!(\"{{}} {{}} {{s}}\", p[0], \
          p.get(1).unwrap_or(&0.0));\n}}\n}}\n",
         states.len(),
@@ -330,6 +330,29 @@ fn identity_what_the_inverse_answers_the_joint_does_and_a_jump_is_no_answer() {
                 assert!(beside, "{angle} {torque} {stiffness}: {row:?}");
             }
             assert!(answered > wanted.len() / 5, "{answered}");
+        }
+    });
+}
+
+/// An identity: a stiffness of 0 asks for none in every language, whose pressures are the lowest ones
+/// for the torque, so that one muscle of the pair need not pull.
+#[test]
+fn identity_a_stiffness_of_zero_asks_for_none() {
+    elbow_by_universal(0.3, &["c", "rust", "python"], |folder, _| {
+        let states = [[0.0, 1e5, 1e5]];
+        let wanted = [[-0.5, 1.0, 0.0], [0.3, -0.7, 0.0], [0.0, 0.2, 0.0]];
+        let mut hosts = vec![];
+        hosts.extend(runs("cc").then(|| by_c(folder, &states, &wanted)));
+        hosts.extend(runs("rustc").then(|| by_rust(folder, 2, &states, &wanted)));
+        hosts.extend(by_python(folder, &states, &wanted));
+        for [_, rows] in &hosts {
+            for (row, expected) in rows.iter().zip(&hosts[0][1]) {
+                assert!(row[2] == 0.0 && row[0].min(row[1]) == 0.0, "{row:?}");
+                let off_pa = (row[0] - expected[0])
+                    .abs()
+                    .max((row[1] - expected[1]).abs());
+                assert!(off_pa < 1e-3, "{row:?} {expected:?}");
+            }
         }
     });
 }

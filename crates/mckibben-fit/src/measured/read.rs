@@ -3,8 +3,8 @@
 use super::{DataPoint, MeasuredPoint, PressureLog, Quantity, Section, over_time::branches};
 use mckibben_core::{cancel, extremes::ends, muscle::Direction};
 use mckibben_io::table::{
-    Column, Columns, MEASURED, Meaning::*, POINTS, RECORDED, Table, TableError, Understood,
-    is_absolute, spoken,
+    Column, Columns, MEASURED, Meaning, Meaning::*, POINTS, RECORDED, Table, TableError,
+    Understood, is_absolute, spoken,
 };
 
 type Result<T, E = TableError> = std::result::Result<T, E>;
@@ -69,21 +69,28 @@ pub fn read_points(text: &str, options: &PointOptions) -> Result<(Vec<DataPoint>
         check_rest(&table, &rest, &contractions)?;
     }
     let by_velocity = matches!(table.text(0, Branch), Some((_, "velocity")));
-    let branches = by_velocity
-        .then(|| branches(&contractions, &pressures))
-        .flatten();
-    if by_velocity {
+    let branches = if by_velocity {
         table.forget(Branch);
-    }
+        branches(&contractions, &pressures)
+    } else {
+        None
+    };
     let mut points = rows(&table)?;
+    // An error counts where its quantity was measured.
+    for (quantity, error) in ERRORS.into_iter().enumerate() {
+        if points.iter().all(|p| p.measured as usize != quantity) {
+            table.forget(error);
+        }
+    }
     let forces = forces(&table, &points)?;
     for (i, point) in points.iter_mut().enumerate() {
         point.at.pressure_mpa = pressures[i];
         point.at.contraction = contractions[i];
         point.at.force_n = forces[i];
         point.section.length_mm = rest[i];
-        let by_velocity = branches.as_ref().map(|branches| branches[i]);
-        point.at.branch = by_velocity.or(point.at.branch);
+        if let Some(branches) = &branches {
+            point.at.branch = Some(branches[i]);
+        }
     }
     if points.is_empty() {
         return Err(table.no_points());
@@ -141,25 +148,18 @@ const MEASURE: &str = "is not a measure of a muscle; it must be above zero";
 /// Pulls; 0 in rows of volumes that state none.
 fn forces(table: &Table, points: &[DataPoint]) -> Result<Vec<f64>> {
     let column = table.needed(FORCE)?;
-    if column.meaning == Volume {
-        return Ok(vec![0.0; points.len()]);
-    }
-    if points.iter().all(|p| p.measured != Quantity::Volume) {
+    let is_pull = |p: &DataPoint| p.measured != Quantity::Volume;
+    if points.iter().all(is_pull) {
         return table.numbers(column);
     }
     let stated = table.some_numbers(Force)?;
-    let one = |(row, (force, point)): (usize, (Option<f64>, &DataPoint))| match force {
-        None if point.measured != Quantity::Volume => {
+    let one = |(row, force): (usize, Option<f64>)| match force {
+        None if is_pull(&points[row]) => {
             Err(table.impossible(row, column, "is empty, and the row is none of a volume"))
         }
         force => Ok(force.unwrap_or(0.0)),
     };
-    stated
-        .into_iter()
-        .zip(points)
-        .enumerate()
-        .map(one)
-        .collect()
+    stated.into_iter().enumerate().map(one).collect()
 }
 
 fn pressures(table: &Table) -> Result<Vec<f64>> {
@@ -316,17 +316,19 @@ const NEEDS_PULL: &str = "needs a pull in this row: add a column force_n";
 const NO_ERROR: &str = "is not a valid standard error; it must be above zero";
 const NO_WEIGHT: &str = "is not a valid weight; it must not be below zero";
 
+/// Standard errors of each [`Quantity`].
+const ERRORS: [Meaning; 4] = [ForceError, ContractionError, PressureError, VolumeError];
+
 /// The rows, without pressure, contraction, pull and length.
 fn rows(table: &Table) -> Result<Vec<DataPoint>> {
     let weights = table.some_numbers(Weight)?;
-    let errors = [ForceError, ContractionError, PressureError, VolumeError];
-    let stated = errors
+    let stated = ERRORS
         .map(|meaning| table.some_numbers(meaning))
         .into_iter()
         .collect::<Result<Vec<_>>>()?;
     let volumes = table.above_zero(Volume, "is not a volume of a muscle; it must be above zero")?;
     // Without pulls the volumes were measured.
-    let alone = table.column(Force).is_none() && table.column(Volume).is_some();
+    let alone = table.column(Force).is_none();
     let otherwise = if alone {
         Quantity::Volume
     } else {
@@ -359,7 +361,7 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>> {
             .unwrap_or(otherwise);
         let error = stated[measured as usize][row];
         let is_volume = measured == Quantity::Volume;
-        let of_error = errors[measured as usize];
+        let of_error = ERRORS[measured as usize];
         for (wrong, meaning, expected) in [
             (is_volume && volumes[row].is_none(), Measured, NEEDS_VOLUME),
             (alone && !is_volume, Measured, NEEDS_PULL),

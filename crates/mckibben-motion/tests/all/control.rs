@@ -144,13 +144,13 @@ fn identity_an_integral_controller_leaves_no_error() {
     }
 }
 
-#[test]
-fn two_antagonists_follow_an_angle() {
+/// Two antagonists that a controller turns to 0.3 rad.
+fn turned(integral_per_s: f64, until_s: f64) -> Motion {
     let model: Arc<dyn ForceModel> = ModelKind::Universal.build(&note_muscle()).unwrap().into();
     let joint = elbow(0.4);
     let pid = Pid {
         proportional: 0.1,
-        integral_per_s: 1.0,
+        integral_per_s,
         derivative_s: 0.0,
         filter_s: 0.01,
         tracking_s: 0.2,
@@ -161,12 +161,28 @@ fn two_antagonists_follow_an_angle() {
         pid,
     };
     let muscle = Actuated::new(model.clone(), regulator(0.02));
-    let motion = ran(&Drive::new(
+    ran(&Drive::new(
         joint.clone(),
         vec![muscle.clone(), muscle],
         target,
-        4.0,
-    ));
+        until_s,
+    ))
+}
+
+/// An identity: an overshoot is counted from the set-point, wherever the motion ends.
+#[test]
+fn identity_an_overshoot_goes_beyond_the_set_point() {
+    for until_s in [0.6, 2.0, 8.0] {
+        let motion = turned(3.0, until_s);
+        let most = motion.series.coordinate.iter().copied().fold(0.0, f64::max);
+        assert!(most > 0.31, "{most}");
+        close(motion.overshoot.unwrap(), most / 0.3 - 1.0, 1e-3);
+    }
+}
+
+#[test]
+fn two_antagonists_follow_an_angle() {
+    let motion = turned(1.0, 4.0);
     close(last(&motion.series.coordinate), 0.3, 1e-3);
     let p = |i: usize| last(&motion.series.muscles[i].pressure_mpa);
     close(p(0) + p(1), 0.4, 1e-6);

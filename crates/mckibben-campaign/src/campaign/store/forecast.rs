@@ -17,6 +17,7 @@ use mckibben_core::{
     model::{ForceModel, ThickWall, Workspace},
     muscle::Muscle,
     progress::Progress,
+    status::Status,
     threads::Threads,
 };
 use schemars::JsonSchema;
@@ -121,7 +122,7 @@ impl Tried {
         let mut out = Self::default();
         let mut table = empty();
         let from = Instant::now();
-        for number in numbers.take(TRIED as usize) {
+        for number in numbers {
             if out.muscles > 0 && from.elapsed() > PATIENCE {
                 break;
             }
@@ -166,7 +167,9 @@ impl Checked {
             };
             for mut row in highest_rows(plan, number, &inputs, &muscle) {
                 Warned::count(&mut out.warnings, &mut row);
-                out.fittable.add(&row);
+                if row.status.is_ok() {
+                    out.fittable.add(&row);
+                }
             }
         }
         Ok(out)
@@ -185,7 +188,10 @@ fn highest_rows(plan: &Plan, number: u64, inputs: &Inputs, muscle: &Muscle) -> V
         let row = heeded.at_pressure(row);
         match model.response(&mut workspace, pressure_mpa, contraction) {
             Ok(response) => heeded.of_answer(row, &response),
-            Err(_) => row,
+            Err(_) => PointRow {
+                status: Status::NotConverged,
+                ..row
+            },
         }
     };
     solve::contractions(&plan.testing, inputs)

@@ -112,8 +112,8 @@ impl Summary {
 
     fn add_row(&mut self, mut row: PointRow, fields: &[Field]) {
         self.points += 1;
-        self.fittable.add(&row);
         if row.status.is_ok() {
+            self.fittable.add(&row);
             self.answered += 1;
         } else {
             let first = || Failed {

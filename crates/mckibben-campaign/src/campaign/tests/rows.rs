@@ -144,6 +144,7 @@ fn a_sleeve_has_another_angle_on_each_tube() {
 fn a_plan_says_what_can_be_fitted_to_its_table() {
     let test = "[test]\ncontractions = \"0,10%\"\npressures = \"0.1\"\nmesh = \"3\"\n";
     let later = test.replace("0,10%", "5,10%");
+    let beyond = test.replace("\"0.1\"", "\"500bar\"");
     for (vary, test, method, why) in [
         ("tube.outer_diameter = \"20,30\"", test, Some("global"), ""),
         (
@@ -164,6 +165,13 @@ fn a_plan_says_what_can_be_fitted_to_its_table() {
             &*later,
             None,
             "contraction 0",
+        ),
+        // No tube bears 500 bar.
+        (
+            "tube.outer_diameter = \"20,30\"",
+            &*beyond,
+            None,
+            "no inflated muscle has an answer at contraction 0",
         ),
     ] {
         let plan = Plan::parse(&format!("[vary]\n{vary}\n{test}")).unwrap();

@@ -13,7 +13,7 @@ use crate::{
         measures::{MeasureValues, OUTER_DIAMETER, WALL},
     },
     sleeve::{Sleeve, library},
-    units::{Positive, typed::Length},
+    units::{Positive, tidy, typed::Length},
 };
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Deserialize;
@@ -229,19 +229,17 @@ impl OfBraid {
 /// The bore, by which tubes are sold: with the outer diameter it gives the wall, with the wall the
 /// outer diameter.
 fn inner_diameter(inner_mm: f64, values: &mut MeasureValues) -> Result<(), &'static str> {
-    match (values.get(&OUTER_DIAMETER), values.get(&WALL)) {
-        (Some(outer_mm), None) if outer_mm > inner_mm => {
-            values.set(&WALL, 0.5 * (outer_mm - inner_mm));
-            Ok(())
-        }
-        (Some(_), None) => Err("must lie between 0 and outer_diameter"),
-        (None, Some(wall_mm)) => {
-            values.set(&OUTER_DIAMETER, inner_mm + 2.0 * wall_mm);
-            Ok(())
-        }
+    let (measure, mm) = match (values.get(&OUTER_DIAMETER), values.get(&WALL)) {
+        (Some(outer_mm), None) if outer_mm > inner_mm => (&WALL, 0.5 * (outer_mm - inner_mm)),
+        (Some(_), None) => return Err("must lie between 0 and outer_diameter"),
+        (None, Some(wall_mm)) => (&OUTER_DIAMETER, inner_mm + 2.0 * wall_mm),
         (Some(_), Some(_)) => {
-            Err("follows from outer_diameter and wall_thickness; leave one of the three out")
+            return Err(
+                "follows from outer_diameter and wall_thickness; leave one of the three out",
+            );
         }
-        (None, None) => Err("needs outer_diameter or wall_thickness beside it"),
-    }
+        (None, None) => return Err("needs outer_diameter or wall_thickness beside it"),
+    };
+    values.set(measure, tidy(mm, 12));
+    Ok(())
 }

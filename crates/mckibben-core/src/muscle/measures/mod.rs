@@ -373,22 +373,20 @@ impl Measure {
             Bounds::OfPart => Ok(()),
             Bounds::Positive => positive(key, value, unit),
             Bounds::NotNegative => not_negative(key, value, unit),
-            Bounds::Even if (2.0..=f64::from(u32::MAX)).contains(&value) && value % 2.0 == 0.0 => {
-                Ok(())
-            }
-            Bounds::Even => Err(must(
+            Bounds::Even => must(
+                (2.0..=f64::from(u32::MAX)).contains(&value) && value % 2.0 == 0.0,
                 key,
                 value,
                 "",
                 "be an even whole number (half of them run each way)",
-            )),
-            Bounds::Between(low, high) if (low..=high).contains(&value) => Ok(()),
-            Bounds::Between(low, high) => Err(must(
+            ),
+            Bounds::Between(low, high) => must(
+                (low..=high).contains(&value),
                 key,
                 value,
                 unit,
                 &format!("lie between {low} and {high}"),
-            )),
+            ),
         }
     }
 }
