@@ -180,20 +180,15 @@ pub struct BuiltFile {
 }
 
 impl From<File> for BuiltFile {
-    fn from(
-        File {
-            name,
-            about,
-            content,
-        }: File,
-    ) -> Self {
-        let (text, base64, content) = match content {
-            Content::Text(text) => (Some(text.clone()), None, text.into_bytes()),
-            Content::Bytes(bytes) => (None, Some(STANDARD.encode(&bytes)), bytes),
+    fn from(file: File) -> Self {
+        let content = file.content.bytes().to_vec();
+        let (text, base64) = match file.content {
+            Content::Text(text) => (Some(text), None),
+            Content::Bytes(bytes) => (None, Some(STANDARD.encode(bytes))),
         };
         Self {
-            name,
-            about: about.into(),
+            name: file.name,
+            about: file.about.into(),
             text,
             base64,
             content,
@@ -452,6 +447,7 @@ fn operating(
         stretched,
         proof,
         limits: (&burst).into(),
+        strained_mpa: burst.strained.mpa(),
         pulls,
         free_contractions,
         to_measure,

@@ -2,8 +2,8 @@
 
 use crate::{
     BuildRequest, CheckAnswer, CheckRequest, CurveRequest, ForceRequest, PointAnswer, Result,
-    ShapeRequest, Units, check, curve, flags::Args, force, number, percent, print::Rows, ratio,
-    shape, words::fixed,
+    ShapeRequest, Units, check, curve, flags::Args, force, number, percent, ratio, shape,
+    words::fixed,
 };
 use mckibben_build::Plan;
 use mckibben_core::{
@@ -43,19 +43,18 @@ impl TitleBlock {
     pub fn fields(&self) -> Vec<(String, String)> {
         let version = concat!("mckibben ", env!("CARGO_PKG_VERSION"));
         let fields = [
-            ("muscle", self.name.as_deref()),
-            ("project", self.project.as_deref()),
-            ("document no.", self.number.as_deref()),
-            ("revision", self.revision.as_deref()),
-            ("date", self.date.as_deref()),
-            ("computed by", Some(version)),
-            ("checked", None),
+            ("muscle", &self.name),
+            ("project", &self.project),
+            ("document no.", &self.number),
+            ("revision", &self.revision),
+            ("date", &self.date),
+            ("computed by", &Some(version.to_owned())),
+            ("checked", &None),
         ];
-        fields
-            .map(|(name, value): (&str, Option<&str>)| {
-                (name.to_owned(), value.unwrap_or_default().to_owned())
-            })
-            .to_vec()
+        let filled = |(name, text): (&str, &Option<String>)| {
+            (name.to_owned(), text.clone().unwrap_or_default())
+        };
+        fields.map(filled).to_vec()
     }
 }
 
@@ -104,7 +103,7 @@ pub fn report(
         .iter()
         .filter(|w| w.is_of_burst())
         .map(|w| Part::Text(w.to_string()))
-        .chain(state(&shown, &point, units))
+        .chain(state(&shown, &point, plan.liquid, units))
         .collect();
     let deformed = ShapeRequest {
         muscle: request.muscle.clone(),
@@ -147,17 +146,8 @@ pub fn report(
     })
 }
 
-fn table(rows: Rows) -> Part {
-    Part::table(
-        &[],
-        rows.into_iter()
-            .map(|(name, value)| vec![name, value])
-            .collect(),
-    )
-}
-
 /// The state and what the muscle can do at this pressure, in numbers.
-fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
+fn state(shown: &CheckAnswer, point: &PointAnswer, liquid: bool, u: &Units) -> Vec<Part> {
     // The title and the lead say these.
     let said = ["muscle", "model", "pressure", "contraction", "shortening"];
     let rows = point.rows(u).only(|label| !said.contains(&label));
@@ -166,8 +156,9 @@ fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
         .as_ref()
         .map(|c| c.rows(u))
         .unwrap_or_default()
-        .only(|label| rows.iter().all(|(name, _)| name != label));
-    vec![Part::heading("Performance"), table(rows.and(more))]
+        .only(|label| rows.iter().all(|(name, _)| name != label))
+        .only(|label| !liquid || label != "air of a free stroke");
+    vec![Part::heading("Performance"), Part::pairs(rows.and(more))]
 }
 
 /// The deformed muscle by itself.
