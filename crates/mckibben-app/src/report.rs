@@ -124,25 +124,19 @@ pub fn report(
     step(4)?;
     parts.extend(limits(&shown, &point));
     let hash = mckibben_campaign::sha256(to_toml(&shown.muscle).as_bytes());
-    let version = env!("CARGO_PKG_VERSION");
     Ok(Document {
         title: format!("Report: {}", plan.title()),
         title_block: request.title_block.fields(),
-        lead: {
-            let pressure = units.pressure.show(pressure_mpa);
-            let contraction = percent(contraction);
-            let by = format!(
-                "by {}, axisymmetric finite elements, unless stated otherwise",
-                point.point.model
-            );
-            format!(
-                "{}. At {pressure} and a contraction of {contraction}. All numbers {by}; ± covers \
-                 95 % against a measured muscle.",
-                shown.summary.line(units)
-            )
-        },
+        lead: format!(
+            "{}. At {} and a contraction of {}. All numbers by {}, axisymmetric finite elements, unless \
+             stated otherwise; ± covers 95 % against a measured muscle.",
+            shown.summary.line(units),
+            units.pressure.show(pressure_mpa),
+            percent(contraction),
+            point.point.model
+        ),
         parts,
-        footer: format!("mckibben {version}. Muscle file: SHA-256 {hash}."),
+        footer: format!("Muscle file: SHA-256 {hash}."),
     })
 }
 
@@ -187,15 +181,13 @@ fn curves(
     pressure_mpa: f64,
     progress: &dyn Progress,
 ) -> Result<Option<Figure>> {
-    let shares = |n: usize| {
-        (1..=n)
-            .map(|i| pressure_mpa * i as f64 / n as f64)
-            .collect::<Vec<_>>()
-    };
+    let count = if test == Test::Isobaric { 5 } else { 20 };
+    let share = |i: u8| pressure_mpa * f64::from(i) / f64::from(count);
+    let pressures_mpa = Vec::from_iter((1..=count).map(share));
     let wanted = CurveRequest {
         test,
         question: request.muscle.clone().into(),
-        pressures_mpa: Some(shares(if test == Test::Isobaric { 5 } else { 20 }).into()),
+        pressures_mpa: Some(pressures_mpa.into()),
         figure: Some(request.units.clone()),
         ..CurveRequest::default()
     };
@@ -243,18 +235,19 @@ fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
                     let least = (least_mpa < mpa).then(|| format!(" ({least} at least)"));
                     (
                         units.pressure.show(mpa) + &least.unwrap_or_default(),
-                        fixed(mpa / working_mpa, 1),
+                        Some(mpa / working_mpa),
                     )
                 }
-                FailurePressure::None => ("at no pressure".into(), "–".into()),
+                FailurePressure::None => ("at no pressure".into(), None),
                 FailurePressure::Unknown(_) if mode == FailureMode::Ends => {
-                    (format!("NOT INCLUDED: {}", plan.ends_hold()), "–".into())
+                    (format!("NOT INCLUDED: {}", plan.ends_hold()), None)
                 }
                 FailurePressure::Unknown(why) => (
                     format!("not known: {}", units.sentence(&why.to_string())),
-                    "–".into(),
+                    None,
                 ),
             };
+            let factor = factor.map_or_else(|| "–".into(), |factor| fixed(factor, 1));
             vec![mode.to_string(), factor, required, pressure]
         })
         .collect();
