@@ -24,7 +24,7 @@ use mckibben_core::{
     cancel,
     joint::parse_joint,
     model::Workspace,
-    muscle::{Direction, EndsMade, JobPoint},
+    muscle::{Direction, EndsMade, JobPoint, Muscle},
     progress::Progress,
     units::{
         Dimension,
@@ -180,20 +180,15 @@ pub struct BuiltFile {
 }
 
 impl From<File> for BuiltFile {
-    fn from(
-        File {
-            name,
-            about,
-            content,
-        }: File,
-    ) -> Self {
-        let (text, base64, content) = match content {
-            Content::Text(text) => (Some(text.clone()), None, text.into_bytes()),
-            Content::Bytes(bytes) => (None, Some(STANDARD.encode(&bytes)), bytes),
+    fn from(file: File) -> Self {
+        let content = file.content.bytes().to_vec();
+        let (text, base64) = match file.content {
+            Content::Text(text) => (Some(text), None),
+            Content::Bytes(bytes) => (None, Some(STANDARD.encode(bytes))),
         };
         Self {
-            name,
-            about: about.into(),
+            name: file.name,
+            about: file.about.into(),
             text,
             base64,
             content,
@@ -214,8 +209,7 @@ pub fn build(request: &BuildRequest, progress: &dyn Progress) -> Result<BuildAns
     let files = mckibben_build::files(&plan).map_err(wrong)?;
     let mut files: Vec<BuiltFile> = files
         .into_iter()
-        .map(|file| named(file, request.muscle.file()))
-        .map(BuiltFile::from)
+        .map(|file| named(file, request.muscle.file()).into())
         .collect();
     let drawing = mckibben_build::drawing(&plan);
     let document = request
@@ -384,7 +378,7 @@ fn expected(plan: &Plan) -> Result<Vec<PullAt>> {
 /// What `fe` finds of the muscle.
 fn operating(
     request: &BuildRequest,
-    muscle: &mckibben_core::muscle::Muscle,
+    muscle: &Muscle,
     given_mpa: Option<f64>,
 ) -> Result<(Operating, Burst)> {
     let choice = ModelFields::default().choose()?;
@@ -417,10 +411,8 @@ fn operating(
     });
     let response = evaluation.response(pressure_mpa, free)?;
     let allowed_mpa = burst.allowed().map_or(f64::INFINITY, |allowed| allowed.mpa);
-    let highest_mpa = match given_mpa {
-        Some(given_mpa) => given_mpa,
-        None => muscle.highest_set_mpa().unwrap_or(pressure_mpa),
-    };
+    let highest_mpa = given_mpa.or(muscle.highest_set_mpa());
+    let highest_mpa = highest_mpa.unwrap_or(pressure_mpa);
     let relief_mpa = relief_mpa(highest_mpa, allowed_mpa);
     let job = muscle.job().into_iter().flat_map(|job| &job.points);
     let longest = job
@@ -432,11 +424,6 @@ fn operating(
     });
     let proof_mpa = proof_mpa(&burst, &mut lengthening, highest_mpa)?;
     let mut pull = |mpa, contraction| pull_at(&mut lengthening, mpa, contraction);
-    let [used, stretched, proof] = [
-        pull(relief_mpa, longest.unwrap_or_default())?,
-        pull(relief_mpa, -STRETCH)?,
-        pull(proof_mpa, -STRETCH)?,
-    ];
     let operating = Operating {
         model: model.info().name.to_string(),
         pressure_mpa,
@@ -448,10 +435,11 @@ fn operating(
         volume_mm3: response
             .volume_mm3
             .unwrap_or_else(|| muscle.rest_volume_mm3()),
-        in_use: used,
-        stretched,
-        proof,
+        in_use: pull(relief_mpa, longest.unwrap_or_default())?,
+        stretched: pull(relief_mpa, -STRETCH)?,
+        proof: pull(proof_mpa, -STRETCH)?,
         limits: (&burst).into(),
+        strained_mpa: burst.strained.mpa(),
         pulls,
         free_contractions,
         to_measure,

@@ -1,11 +1,14 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a muscle against a spring, or of two
 //! against each other.
 
+mod answer;
 mod page;
 
+pub use answer::{JointAnswer, JointRow, RestWord};
+
 use crate::{
-    Count, Model, ModelFields, MuscleFields, MuscleSummary, PressureLimits, Problem, ProblemKind,
-    Result, TextFile, Units, above_zero, breakdown, burst_of, figure, finite, flags::Args, number,
+    Count, Model, ModelFields, MuscleFields, PressureLimits, Problem, ProblemKind, Result,
+    TextFile, Units, above_zero, breakdown, burst_of, figure, finite, flags::Args, number,
     warnings,
 };
 use mckibben_core::{
@@ -16,13 +19,11 @@ use mckibben_core::{
         Turning, parse_joint,
     },
     model::{ForceModel, Workspace},
-    muscle::Muscle,
     progress::Progress,
     size, threads,
     units::typed::{Angle, AngularStiffness, List, Pressure, Torque},
     warning::Warning,
 };
-use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -55,19 +56,13 @@ impl JointFields {
             .as_ref()
             .ok_or_else(|| Problem::missing("joint", "a joint file (TOML)"))?;
         let file = text.parsed(parse_joint)?;
-        let muscle = |name: &str| -> Result<Muscle> {
-            MuscleFields::from_file(
-                self.muscles
-                    .iter()
-                    .find(|m| m.name == name)
-                    .ok_or_else(|| {
-                        ProblemKind::File
-                            .problem(format!("{}: its muscle file {name} is missing", text.name))
-                            .in_field("muscles")
-                    })?
-                    .clone(),
-            )
-            .resolve()
+        let muscle = |name: &str| {
+            let missing = || {
+                let message = format!("{}: its muscle file {name} is missing", text.name);
+                ProblemKind::File.problem(message).in_field("muscles")
+            };
+            let found = self.muscles.iter().find(|m| m.name == name);
+            MuscleFields::from_file(found.ok_or_else(missing)?.clone()).resolve()
         };
         let muscles = file.files().map(muscle).collect::<Result<Vec<_>>>()?;
         file.with_muscles(muscles)
@@ -144,8 +139,12 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         add_start_pressures(&model, &mut rows);
         cancel::check()?;
     }
+    let mut supplied_mpa = 0.0;
     let map = match request.map {
-        Some(count) => Some(solver.map(supply(request)?, count.0, progress)?),
+        Some(count) => {
+            supplied_mpa = supply(request)?;
+            Some(solver.map(supplied_mpa, count.0, progress)?)
+        }
         None => None,
     };
     if rows.is_empty() && map.is_none() {
@@ -158,11 +157,10 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         .iter()
         .map(|m| burst_of(&named, &**m))
         .collect::<Result<Vec<_>>>()?;
-    let supplied = if map.is_some() { supply(request)? } else { 0.0 };
     let highest = |i: usize| {
         rows.iter()
             .filter_map(|row| [Some(row.pressure_1_mpa), row.pressure_2_mpa][i])
-            .fold(supplied, f64::max)
+            .fold(supplied_mpa, f64::max)
     };
     let said = bursts
         .iter()
@@ -265,8 +263,8 @@ impl JointRequest {
         finite(
             "stiffness_nm_per_rad",
             self.stiffness_nm_per_rad.unwrap_or_default(),
-        )?;
-        Ok(())
+        )
+        .map(drop)
     }
 }
 
@@ -348,8 +346,9 @@ impl Solver<'_> {
             } else {
                 self.built_point(wanted, max_mpa)?
             };
-            let workspaces = &mut self.workspaces;
-            let halves = self.model.pressure_uncertainties_mpa(workspaces, &point);
+            let halves = self
+                .model
+                .pressure_uncertainties_mpa(&mut self.workspaces, &point);
             let half = |i: usize| halves.get(i).copied().flatten();
             Ok(JointRow {
                 pressure_1_uncertainty_mpa: half(0),
@@ -397,22 +396,25 @@ impl Solver<'_> {
     ) -> Result<Vec<JointRow>> {
         let mut rows = vec![];
         for pressures in families {
-            let workspaces = &mut self.workspaces;
-            let (rests, gap) = self.model.rests_and_gap(workspaces, pressures, torque_nm)?;
+            let (rests, gap) =
+                self.model
+                    .rests_and_gap(&mut self.workspaces, pressures, torque_nm)?;
             self.warnings
                 .extend(gap.map(|gap| Warning::from(format!("other rests are not sought: {gap}"))));
             for rest in rests {
-                let workspaces = &mut self.workspaces;
-                let point =
-                    self.model
-                        .point_at(workspaces, pressures, rest.angle_deg(), Turning::Mean)?;
+                let point = self.model.point_at(
+                    &mut self.workspaces,
+                    pressures,
+                    rest.angle_deg(),
+                    Turning::Mean,
+                )?;
                 let balance = matches!(rest, Rest::Balance { .. });
                 rows.push(JointRow {
                     angle_uncertainty_deg: self
                         .model
                         .angle_uncertainty_deg(&point)
                         .filter(|_| balance),
-                    ..self.row(point, Some(word(&rest)))?
+                    ..self.row(point, Some((&rest).into()))?
                 });
             }
         }
@@ -420,24 +422,15 @@ impl Solver<'_> {
     }
 
     fn row(&mut self, point: JointPoint, rest: Option<RestWord>) -> Result<JointRow> {
-        let known = self.model.joint().has_friction();
-        let mut turning = |turning| -> Result<Option<f64>> {
-            if !known {
-                return Ok(None);
-            }
-            Ok(Some(
-                self.model
-                    .point_at(
-                        &mut self.workspaces,
-                        &point.pressures_mpa,
-                        point.angle_deg,
-                        turning,
-                    )?
-                    .torque_nm,
-            ))
+        let (model, workspaces) = (self.model, &mut self.workspaces);
+        let mut torque_nm = |turning| {
+            let at = model.point_at(workspaces, &point.pressures_mpa, point.angle_deg, turning);
+            at.map(|at| at.torque_nm)
         };
-        let plus = turning(Turning::Plus)?;
-        let minus = turning(Turning::Minus)?;
+        let [plus, minus] = [Turning::Plus, Turning::Minus].map(|turning| {
+            let is_known = model.joint().has_friction();
+            is_known.then(|| torque_nm(turning)).transpose()
+        });
         self.warnings
             .extend(warnings::of_points(point.muscles.iter().map(|m| &m.answer)));
         let muscle = |i: usize| {
@@ -449,8 +442,8 @@ impl Solver<'_> {
         Ok(JointRow {
             pressure_1_mpa: point.pressures_mpa.first().copied().unwrap_or_default(),
             pressure_2_mpa: point.pressures_mpa.get(1).copied(),
-            torque_turning_plus_nm: plus,
-            torque_turning_minus_nm: minus,
+            torque_turning_plus_nm: plus?,
+            torque_turning_minus_nm: minus?,
             rest,
             force_1_n: response.force_n,
             force_2_n: second.map(|m| m.0.force_n),
@@ -505,8 +498,7 @@ fn add_start_pressures(model: &BoundJoint, rows: &mut [JointRow]) {
             kinds
                 .into_iter()
                 .zip(contractions(row))
-                .filter_map(|(kind, e)| Some((kind, e?)))
-                .map(|(kind, e)| (key(kind, e), e)),
+                .filter_map(|(kind, e)| Some((key(kind, e?), e?))),
         );
     }
     let wanted = Vec::from_iter(wanted);
@@ -519,103 +511,4 @@ fn add_start_pressures(model: &BoundJoint, rows: &mut [JointRow]) {
         row.start_pressure_1_mpa = start_pressure(0, row.contraction_1);
         row.start_pressure_2_mpa = row.contraction_2.and_then(|e| start_pressure(1, e));
     }
-}
-
-fn word(rest: &Rest) -> RestWord {
-    match rest {
-        Rest::Balance { stable: true, .. } => RestWord::Stable,
-        Rest::Balance { stable: false, .. } => RestWord::Unstable,
-        Rest::Limit { .. } => RestWord::Limit,
-        Rest::Loose { .. } => RestWord::Loose,
-    }
-}
-
-/// A point of a joint.
-#[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Default, Serialize, JsonSchema)]
-pub struct JointRow {
-    /// Angle, torque and stiffness.
-    #[serde(flatten)]
-    pub point: JointPoint,
-    /// Pressure of the first muscle, MPa.
-    pub pressure_1_mpa: f64,
-    /// Pressure of the second muscle, MPa.
-    pub pressure_2_mpa: Option<f64>,
-    /// The torque while the joint turns to +, where the muscles' friction is known, N m.
-    pub torque_turning_plus_nm: Option<f64>,
-    /// The torque while it turns to −, likewise.
-    pub torque_turning_minus_nm: Option<f64>,
-    /// Of a joint at rest: `stable`, `unstable`, at a `limit` of its range, or `loose`: it rests at
-    /// any angle near this one.
-    pub rest: Option<RestWord>,
-    /// Pull of the first muscle, N.
-    pub force_1_n: f64,
-    /// Pull of the second muscle, N.
-    pub force_2_n: Option<f64>,
-    /// Contraction of the first muscle.
-    pub contraction_1: f64,
-    /// Contraction of the second muscle.
-    pub contraction_2: Option<f64>,
-    /// Moment arm of the first muscle, mm.
-    pub arm_1_mm: f64,
-    /// Moment arm of the second muscle, mm.
-    pub arm_2_mm: Option<f64>,
-    /// Whether the first muscle is slack.
-    pub slack_1: bool,
-    /// Whether the second muscle is slack.
-    pub slack_2: Option<bool>,
-    /// Pressure below which the first muscle is slack at this angle, MPa.
-    pub start_pressure_1_mpa: Option<f64>,
-    /// Pressure below which the second muscle is slack at this angle, MPa.
-    pub start_pressure_2_mpa: Option<f64>,
-    /// Of a joint at rest: 95 % half-width of the angle, from that of the torque and the stiffness,
-    /// degrees.
-    pub angle_uncertainty_deg: Option<f64>,
-    /// Of pressures that were sought: 95 % half-width of that of the first muscle, by which it
-    /// alone makes up for that of the torque, MPa.
-    pub pressure_1_uncertainty_mpa: Option<f64>,
-    /// That of the second muscle, likewise, MPa.
-    pub pressure_2_uncertainty_mpa: Option<f64>,
-}
-
-/// How a joint rests.
-#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum RestWord {
-    /// It comes back after a small turn.
-    Stable,
-    /// It does not.
-    Unstable,
-    /// It rests at a limit of its range.
-    Limit,
-    /// No torque acts, and it rests at any angle near this one.
-    Loose,
-}
-
-mckibben_core::units::display_as_serde_word!(RestWord);
-
-/// A joint's answer.
-#[serde_with_macros::skip_serializing_none]
-#[derive(Debug, Serialize, JsonSchema)]
-pub struct JointAnswer {
-    /// The model's name.
-    pub model: String,
-    /// The muscles.
-    pub muscles: Vec<MuscleSummary>,
-    /// Limits of the angle in degrees.
-    pub range_deg: (f64, f64),
-    /// The points, pressures after pressures.
-    pub points: Vec<JointRow>,
-    /// The pressures that its weakest muscle bears.
-    #[serde(flatten)]
-    pub limits: PressureLimits,
-    /// What the joint reaches, if requested.
-    pub map: Option<JointMap>,
-    /// The largest ± of the torques, in words:
-    /// `at φ 20°: ± 2.0 N m (95 %): friction unknown 1.7, model against tests 0.8`.
-    pub uncertainty_text: Option<String>,
-    /// Warnings.
-    pub warnings: Vec<Warning>,
-    /// The figure, if requested.
-    pub figure: Option<Figure>,
 }

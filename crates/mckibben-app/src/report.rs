@@ -2,8 +2,8 @@
 
 use crate::{
     BuildRequest, CheckAnswer, CheckRequest, CurveRequest, ForceRequest, PointAnswer, Result,
-    ShapeRequest, Units, check, curve, flags::Args, force, number, percent, print::Rows, ratio,
-    shape, words::fixed,
+    ShapeRequest, Units, check, curve, flags::Args, force, number, percent, ratio, shape,
+    words::fixed,
 };
 use mckibben_build::Plan;
 use mckibben_core::{
@@ -43,19 +43,18 @@ impl TitleBlock {
     pub fn fields(&self) -> Vec<(String, String)> {
         let version = concat!("mckibben ", env!("CARGO_PKG_VERSION"));
         let fields = [
-            ("muscle", self.name.as_deref()),
-            ("project", self.project.as_deref()),
-            ("document no.", self.number.as_deref()),
-            ("revision", self.revision.as_deref()),
-            ("date", self.date.as_deref()),
-            ("computed by", Some(version)),
-            ("checked", None),
+            ("muscle", &self.name),
+            ("project", &self.project),
+            ("document no.", &self.number),
+            ("revision", &self.revision),
+            ("date", &self.date),
+            ("computed by", &Some(version.to_owned())),
+            ("checked", &None),
         ];
-        fields
-            .map(|(name, value): (&str, Option<&str>)| {
-                (name.to_owned(), value.unwrap_or_default().to_owned())
-            })
-            .to_vec()
+        let filled = |(name, text): (&str, &Option<String>)| {
+            (name.to_owned(), text.clone().unwrap_or_default())
+        };
+        fields.map(filled).to_vec()
     }
 }
 
@@ -104,7 +103,7 @@ pub fn report(
         .iter()
         .filter(|w| w.is_of_burst())
         .map(|w| Part::Text(w.to_string()))
-        .chain(state(&shown, &point, units))
+        .chain(state(&shown, &point, plan.liquid, units))
         .collect();
     let deformed = ShapeRequest {
         muscle: request.muscle.clone(),
@@ -125,39 +124,24 @@ pub fn report(
     step(4)?;
     parts.extend(limits(&shown, &point));
     let hash = mckibben_campaign::sha256(to_toml(&shown.muscle).as_bytes());
-    let version = env!("CARGO_PKG_VERSION");
     Ok(Document {
         title: format!("Report: {}", plan.title()),
         title_block: request.title_block.fields(),
-        lead: {
-            let pressure = units.pressure.show(pressure_mpa);
-            let contraction = percent(contraction);
-            let by = format!(
-                "by {}, axisymmetric finite elements, unless stated otherwise",
-                point.point.model
-            );
-            format!(
-                "{}. At {pressure} and a contraction of {contraction}. All numbers {by}; ± covers \
-                 95 % against a measured muscle.",
-                shown.summary.line(units)
-            )
-        },
+        lead: format!(
+            "{}. At {} and a contraction of {}. All numbers by {}, axisymmetric finite elements, unless \
+             stated otherwise; ± covers 95 % against a measured muscle.",
+            shown.summary.line(units),
+            units.pressure.show(pressure_mpa),
+            percent(contraction),
+            point.point.model
+        ),
         parts,
-        footer: format!("mckibben {version}. Muscle file: SHA-256 {hash}."),
+        footer: format!("Muscle file: SHA-256 {hash}."),
     })
 }
 
-fn table(rows: Rows) -> Part {
-    Part::table(
-        &[],
-        rows.into_iter()
-            .map(|(name, value)| vec![name, value])
-            .collect(),
-    )
-}
-
 /// The state and what the muscle can do at this pressure, in numbers.
-fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
+fn state(shown: &CheckAnswer, point: &PointAnswer, liquid: bool, u: &Units) -> Vec<Part> {
     // The title and the lead say these.
     let said = ["muscle", "model", "pressure", "contraction", "shortening"];
     let rows = point.rows(u).only(|label| !said.contains(&label));
@@ -166,8 +150,9 @@ fn state(shown: &CheckAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> {
         .as_ref()
         .map(|c| c.rows(u))
         .unwrap_or_default()
-        .only(|label| rows.iter().all(|(name, _)| name != label));
-    vec![Part::heading("Performance"), table(rows.and(more))]
+        .only(|label| rows.iter().all(|(name, _)| name != label))
+        .only(|label| !liquid || label != "air of a free stroke");
+    vec![Part::heading("Performance"), Part::pairs(rows.and(more))]
 }
 
 /// The deformed muscle by itself.
@@ -196,15 +181,13 @@ fn curves(
     pressure_mpa: f64,
     progress: &dyn Progress,
 ) -> Result<Option<Figure>> {
-    let shares = |n: usize| {
-        (1..=n)
-            .map(|i| pressure_mpa * i as f64 / n as f64)
-            .collect::<Vec<_>>()
-    };
+    let count = if test == Test::Isobaric { 5 } else { 20 };
+    let share = |i: u8| pressure_mpa * f64::from(i) / f64::from(count);
+    let pressures_mpa = Vec::from_iter((1..=count).map(share));
     let wanted = CurveRequest {
         test,
         question: request.muscle.clone().into(),
-        pressures_mpa: Some(shares(if test == Test::Isobaric { 5 } else { 20 }).into()),
+        pressures_mpa: Some(pressures_mpa.into()),
         figure: Some(request.units.clone()),
         ..CurveRequest::default()
     };
@@ -252,18 +235,19 @@ fn margins(plan: &Plan, burst: &Burst, units: &Units) -> Vec<Part> {
                     let least = (least_mpa < mpa).then(|| format!(" ({least} at least)"));
                     (
                         units.pressure.show(mpa) + &least.unwrap_or_default(),
-                        fixed(mpa / working_mpa, 1),
+                        Some(mpa / working_mpa),
                     )
                 }
-                FailurePressure::None => ("at no pressure".into(), "–".into()),
+                FailurePressure::None => ("at no pressure".into(), None),
                 FailurePressure::Unknown(_) if mode == FailureMode::Ends => {
-                    (format!("NOT INCLUDED: {}", plan.ends_hold()), "–".into())
+                    (format!("NOT INCLUDED: {}", plan.ends_hold()), None)
                 }
                 FailurePressure::Unknown(why) => (
                     format!("not known: {}", units.sentence(&why.to_string())),
-                    "–".into(),
+                    None,
                 ),
             };
+            let factor = factor.map_or_else(|| "–".into(), |factor| fixed(factor, 1));
             vec![mode.to_string(), factor, required, pressure]
         })
         .collect();

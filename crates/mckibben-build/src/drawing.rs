@@ -5,7 +5,7 @@ use crate::{
     ends::Press,
     plug::Plug,
     sheets::{self, WIDTH_MM, largest},
-    text::{percent, trimmed},
+    text::trimmed,
     view::View,
 };
 use mckibben_report::{Anchor::Start, DrawingSheet, Pen::Axis};
@@ -14,6 +14,10 @@ use mckibben_report::{Anchor::Start, DrawingSheet, Pen::Axis};
 const ROOM_MM: [f64; 2] = [WIDTH_MM - 12.0, 60.0];
 /// Thickness of a tie or clamp as it is drawn, in mm.
 const BAND_MM: f64 = 1.2;
+/// Greys of their sections.
+const RUBBER: u8 = 0xc4;
+const SLEEVE: u8 = 0x90;
+const STEEL: u8 = 0x58;
 
 /// The drawing of the muscle, as wide as the text of a page.
 pub fn drawing(plan: &Plan) -> DrawingSheet {
@@ -32,27 +36,27 @@ pub fn drawing(plan: &Plan) -> DrawingSheet {
         ],
         scale,
     };
-    let axis = 4.0 / scale;
-    v.line(Axis, &[[-left - axis, 0.0], [right + axis, 0.0]]);
     let [ri, ro] = [
         plan.muscle.inner_diameter_mm(),
         plan.muscle.outer_diameter_mm(),
     ]
     .map(|d| 0.5 * d);
-    v.cut([-half, half], [ri, ro], true);
-    v.cut([-half, half], [ro, 0.5 * plan.over_sleeve_mm], false);
+    v.cut([-half, half], [ri, ro], RUBBER);
+    v.cut([-half, half], [ro, 0.5 * plan.over_sleeve_mm], SLEEVE);
     for (plug, side) in [(&plan.air_plug, -1.0), (&plan.eye_plug, 1.0)] {
         let stem = &plug.stem;
         let at = |z: f64| side * (half + z - stem.datum_mm);
         let (from, inner) = (stem.datum_mm, 0.5 * stem.diameter_mm);
         let over = inner + plan.cut.tube_wall_mm;
-        v.cut([from, from + stem.tube_mm()].map(at), [inner, over], true);
-        v.cut([from, stem.length_mm].map(at), [over, clamped], false);
+        v.cut([from, from + stem.tube_mm()].map(at), [inner, over], RUBBER);
+        v.cut([from, stem.length_mm].map(at), [over, clamped], SLEEVE);
         for band in stem.bands_mm.iter().chain(&stem.pressed_mm) {
-            v.cut(band.map(at), [clamped, clamped + BAND_MM], true);
+            v.cut(band.map(at), [clamped, clamped + BAND_MM], STEEL);
         }
         v.plug(plug, side * half, side);
     }
+    let axis = 4.0 / scale;
+    v.line(Axis, &[[-left - axis, 0.0], [right + axis, 0.0]]);
     measures(plan, &mut v, widest);
     v.sheet
 }
@@ -77,19 +81,16 @@ fn measures(plan: &Plan, v: &mut View, widest: f64) {
     .map(bare);
     let angle = trimmed(muscle.braid().angle_deg, 1);
     let wide = bare(operating.bulged_diameter_mm.round());
-    let free = percent(operating.free_contraction);
     let ferrule = match plan.ends.press {
         Some(Press::Ferrule(f)) => {
-            let sizes = [f.outer_mm, f.wall_mm, f.length_mm, f.pressed_mm].map(bare);
-            let [outer, wall, long, pressed] = sizes;
-            format!("; ferrules {outer} × {wall}, {long} long, pressed to ⌀{pressed}")
+            format!("; ferrules pressed to ⌀{}", bare(f.pressed_mm))
         }
         _ => String::new(),
     };
     let texts = [
         format!("Tube ⌀{tube}, bore ⌀{bore}, over the sleeve ⌀{over}, θ₀ {angle}°{ferrule}"),
         format!(
-            "At {} without load ⌀{wide}, shorter by {free}",
+            "At {} without load ⌀{wide}",
             plan.shown.pressure(operating.pressure_mpa)
         ),
     ];

@@ -137,7 +137,7 @@ impl Frame {
         v.rectangle([-half, half], [-body, body]);
         let apart = |plug: &Plug| half + plug.eye_mm - plug.stem.length_mm;
         for (plug, out) in ends {
-            v.head(
+            v.plug(
                 plug,
                 out * (half - plug.stem.length_mm + plug.stem.datum_mm),
                 out,

@@ -67,24 +67,19 @@ pub fn files(plan: &Plan) -> Result<Vec<File>, FigureError> {
     let paper = File::text("build.html", about, paper(plan).to_html("")?);
     let bill = material::csv(plan).map_err(|e| FigureError::Drawing(e.to_string()))?;
     let mut out = vec![paper, File::text("bom.csv", "what to buy", bill)];
-    for (name, plug) in [("air-plug", &plan.air_plug), ("eye-plug", &plan.eye_plug)] {
-        let (ending, about, content) = match plug.is_printed() {
-            true => (
-                "stl",
+    let port = format!("{}-plug", plan.fluid());
+    for (name, plug) in [(&*port, &plan.air_plug), ("eye-plug", &plan.eye_plug)] {
+        out.push(match plug.is_printed() {
+            true => File::bytes(
+                format!("bodies/{name}.stl"),
                 "plug as it lies on the printer",
-                Content::Bytes(plug.printed().to_stl(MARK)),
+                plug.printed().to_stl(MARK),
             ),
-            false => (
-                "step",
+            false => File::text(
+                format!("bodies/{name}.step"),
                 "plug to be turned and milled",
-                Content::Text(step::text(plug, name)),
+                step::text(plug, name),
             ),
-        };
-        let name = format!("bodies/{name}.{ending}");
-        out.push(File {
-            name,
-            about,
-            content,
         });
     }
     if plan.is_cast() {

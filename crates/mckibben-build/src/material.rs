@@ -251,7 +251,7 @@ fn of_a_muscle(plan: &Plan) -> Vec<BuildPart> {
     let mut parts = vec![
         tube(plan),
         sleeve(plan, &plan.cut.sleeve),
-        plug("air plug", &plan.air_plug),
+        plug(&format!("{} plug", plan.fluid()), &plan.air_plug),
         plug("eye plug", &plan.eye_plug),
         clamp,
     ];

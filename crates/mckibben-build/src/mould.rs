@@ -1,13 +1,11 @@
-//! The mould of a cast tube: a rod in a pipe, centred by two caps, how much rubber it takes, and how
-//! long that flows.
+//! The mould of a cast tube: a rod in a pipe, centred by two caps, and how much rubber it takes.
 
 use crate::{Cut, body::revolved, mesh::Mesh};
-use mckibben_core::load::GRAVITY_M_PER_S2;
 use serde::Deserialize;
 
 /// Play of rod and pipe, spigot, flange and its width beyond the pipe, in mm (choices).
 const PLAY_MM: f64 = 0.2;
-pub const SPIGOT_MM: f64 = 8.0;
+const SPIGOT_MM: f64 = 8.0;
 const FLANGE_MM: (f64, f64) = (4.0, 5.0);
 /// Length in mm by which the pipe is longer than the tube, and the rod than the pipe.
 const BEYOND_MM: f64 = 40.0;
@@ -26,8 +24,6 @@ pub const CASTABLE: &str = include_str!("../data/castable.csv");
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Castable {
     rubber: String,
-    /// Viscosity in Pa s, mixed.
-    pub viscosity_pa_s: f64,
     /// Minutes from mixing on in which it flows.
     pub pot_life_min: f64,
     /// Hours until it is taken out of the mould.
@@ -40,14 +36,6 @@ pub fn castable(rubber: &str) -> Option<Castable> {
     let mut table = table.comment(Some(b'#')).from_reader(CASTABLE.as_bytes());
     let mut rows = table.deserialize().filter_map(Result::ok);
     rows.find(|row: &Castable| row.rubber == rubber)
-}
-
-/// Time in minutes in which a liquid sinks through a gap by its weight alone: the mean speed between
-/// plates is ρ g s²/(12 η), so t = 12 η L/(ρ g s²) (Bird, Stewart & Lightfoot 2002 \[bird2002\],
-/// problem 2B.3).
-pub fn sinks_min(viscosity_pa_s: f64, density_kg_per_m3: f64, gap_mm: f64, length_mm: f64) -> f64 {
-    let weight = density_kg_per_m3 * GRAVITY_M_PER_S2;
-    12e3 * viscosity_pa_s * length_mm / (weight * gap_mm * gap_mm) / 60.0
 }
 
 /// The mould of a tube. Lengths in mm.

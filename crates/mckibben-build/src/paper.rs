@@ -20,7 +20,7 @@ use mckibben_core::{
 };
 use mckibben_report::{
     Document,
-    Part::{self, Break, Drawing, List, Steps, Stop, Text},
+    Part::{self, Break, Drawing, Steps, Stop, Text},
 };
 
 /// How exact the distance of the heads is, in mm: what a ruler reads.
@@ -53,11 +53,12 @@ pub fn paper(plan: &Plan) -> Document {
     };
     let head = ["part", "size", "amount", "spare"];
     parts.push(Part::table(&head, plan.parts.iter().map(part).collect()));
-    parts.extend([List(tools(plan)), heading("Cut list")]);
+    parts.push(heading("Cut list"));
     parts.extend(cut_list(plan));
     parts.push(Drawing(drawing(plan)));
     parts.push(heading("Plugs"));
-    for (what, plug) in [("Air plug", &plan.air_plug), ("Eye plug", &plan.eye_plug)] {
+    let port = format!("{} plug", plan.fluid());
+    for (what, plug) in [(&*port, &plan.air_plug), ("eye plug", &plan.eye_plug)] {
         parts.extend(sheets::plug(plan, what, plug));
     }
     parts.extend([strength(plan), Steps(plugs(plan))]);
@@ -92,7 +93,7 @@ fn limits(plan: &Plan) -> Part {
     let burst = burst.map(|(mpa, by)| {
         let nominal = limits.nominal_burst_pressure_mpa;
         let nominal =
-            nominal.map(|p| format!(" at least, {} by nominal numbers", shown.short_pressure(p)));
+            nominal.map(|p| format!(" at least, {} by nominal numbers", shown.pressure(p)));
         format!(
             "{}{}: {by}",
             shown.pressure(mpa),
@@ -100,7 +101,7 @@ fn limits(plan: &Plan) -> Part {
         )
     });
     let allowed = limits.allowed_pressure_mpa.map(|mpa| shown.pressure(mpa));
-    let rows = [
+    Part::pairs([
         (
             "working pressure",
             shown.pressure(plan.operating.pressure_mpa),
@@ -111,32 +112,7 @@ fn limits(plan: &Plan) -> Part {
             "burst pressure, without the ends",
             burst.unwrap_or_else(unknown),
         ),
-    ];
-    Part::table(
-        &[],
-        rows.map(|(name, text)| vec![name.to_owned(), text]).into(),
-    )
-}
-
-fn tools(plan: &Plan) -> Vec<String> {
-    let clamp = match plan.ends.made {
-        Tied => "pliers for cable ties".to_owned(),
-        Clamped => "screwdriver for hose clamps".into(),
-        Crimped => format!(
-            "tool for {}s; {}",
-            plan.ends.band(),
-            match plan.ends.press {
-                Some(Press::BoltClamps(_)) => "torque wrench for the clamps with a bolt",
-                _ => "crimping press for the ferrules",
-            }
-        ),
-    };
-    let drill = plan.air_plug.port.map(|port| {
-        let (thread, hole) = (port.fitting, mm(port.hole_mm));
-        format!("tap {thread}, drill {hole} mm")
-    });
-    let rule = "calliper, steel rule, scissors, marker".to_owned();
-    [rule, clamp].into_iter().chain(drill).collect()
+    ])
 }
 
 fn cut_list(plan: &Plan) -> [Part; 3] {
@@ -218,17 +194,11 @@ fn plugs(plan: &Plan) -> Vec<String> {
              Check the stems: {stem}, no burr."
         )]
     };
-    steps.extend(plug.port.map(|port| {
-        format!(
-            "Cut the thread {} into the hole of {} mm in the flat of the head, {} mm deep. Screw in \
-             the fitting by hand until its seal touches, then a quarter of a turn. Blow through the \
-             passage of {} mm.",
-            port.fitting,
-            mm(port.hole_mm),
-            mm(port.thread_mm),
-            mm(port.passage_mm)
-        )
-    }));
+    steps.push(
+        "Cut the thread into the flat of the head. Screw in the fitting by hand until its seal \
+         touches, then a quarter of a turn. Blow through the passage."
+            .into(),
+    );
     steps
 }
 
@@ -255,39 +225,23 @@ fn casting(plan: &Plan) -> Vec<String> {
         |density| significant(0.5e-6 * density * mould.mixed_mm3, 3),
     );
     let stated = mould::castable(name);
-    let flows = match stated.as_ref().zip(density) {
-        None => format!("Viscosity and pot life of {name} are not in the catalogue: read its can."),
-        Some((rubber, density)) => {
-            let gap_mm = 0.5 * (mould.bore_mm - mould.rod_mm);
-            let length_mm = mould.vents_mm - mould::SPIGOT_MM;
-            let minutes = mould::sinks_min(rubber.viscosity_pa_s, density, gap_mm, length_mm);
-            let pour = if 2.0 * minutes > rubber.pot_life_min {
-                "Do not pour it in from above"
-            } else {
-                "Poured in from above it would enclose air"
-            };
+    let flows = stated.as_ref().map_or_else(
+        || format!("The pot life of {name} is not in the catalogue: read its can."),
+        |rubber| {
             format!(
-                "It flows for {} min from mixing on (pot life, viscosity {} Pa s). {pour}: by its \
-                 weight alone it takes {} min through the gap (t = 12 η L/(ρ g s²), Bird 2002).",
-                mm(rubber.pot_life_min),
-                mm(rubber.viscosity_pa_s),
-                significant(minutes, 2)
+                "It flows for {} min from mixing on.",
+                mm(rubber.pot_life_min)
             )
-        }
-    };
+        },
+    );
     let cure = stated.map_or_else(
         || "as long as its maker states".into(),
         |rubber| format!("for {} h at 23 °C", mm(rubber.cure_h)),
     );
     vec![
         format!(
-            "Mould: a smooth rod of {} mm, {} mm long, in a pipe with a bore of {} mm, {} mm long; \
-             print bodies/mould-cap.stl twice. Drill a hole of 4 mm into the pipe {} mm above its lower \
+            "Print bodies/mould-cap.stl twice. Drill a hole of 4 mm into the pipe {} mm above its lower \
              end, for the syringe, and two vents of 2 mm, one opposite the other, {} mm above it.",
-            mm(mould.rod_mm),
-            mm(mould.rod_length_mm),
-            mm(mould.bore_mm),
-            mm(mould.pipe_mm),
             mm(mould::HOLE_MM),
             mm(mould.vents_mm)
         ),
@@ -302,7 +256,7 @@ fn casting(plan: &Plan) -> Vec<String> {
         ),
         format!(
             "Press it in from below with a syringe of 60 mL, {} fillings, slowly, until it shows in \
-             both vents of the upright pipe. {flows}",
+             both vents of the upright pipe: poured in from above it would enclose air. {flows}",
             mm(mould.syringes())
         ),
         format!(
@@ -323,18 +277,10 @@ pub fn mixed_ml(plan: &Plan) -> String {
     significant(1e-3 * Mould::new(&plan.cut).mixed_mm3, 3)
 }
 
-/// What of a turn of a strand fits on the tube, and how long it is in mm.
-pub fn turn(plan: &Plan) -> (&'static str, f64) {
-    let length_mm = plan.muscle.length_mm();
-    let whole_mm = length_mm / plan.muscle.turns();
-    let parts = [
-        ("one turn", 1.0),
-        ("half a turn", 2.0),
-        ("a quarter of a turn", 4.0),
-    ];
-    let mut parts = parts.map(|(name, n)| (name, whole_mm / n)).into_iter();
-    let fits = parts.find(|part| part.1 <= 0.8 * length_mm);
-    fits.unwrap_or(("an eighth of a turn", whole_mm / 8.0))
+/// How long a quarter of a turn of a strand is along the tube.
+fn quarter_turn(plan: &Plan) -> String {
+    let quarter_mm = 0.25 * plan.muscle.length_mm() / plan.muscle.turns();
+    plan.shown.length(quarter_mm)
 }
 
 /// How an end is closed.
@@ -391,7 +337,6 @@ fn assembly(plan: &Plan) -> Vec<String> {
         "melt the ends of the sleeve, so that they do not fray"
     };
     let stem = &plan.air_plug.stem;
-    let turn = turn(plan);
     let pressed = &*format!(
         "clamps ({0}, {1}, {1}, {0})",
         ends.pressed_by(),
@@ -400,9 +345,10 @@ fn assembly(plan: &Plan) -> Vec<String> {
     vec![
         format!("Cut tube and sleeve as the cut list says, square; {fray}."),
         format!(
-            "Push the air plug into the tube, until {} of the tube lie behind the barb or the first \
+            "Push the {} plug into the tube, until {} of the tube lie behind the barb or the first \
              groove, up to the {}. A little isopropyl alcohol helps, and dries. Do not use oil: it \
              attacks latex and natural rubber.",
+            plan.fluid(),
             shown.length(stem.tube_mm()),
             if stem.shoulder_mm.is_some() { "shoulder" } else { "head" }
         ),
@@ -422,13 +368,12 @@ fn assembly(plan: &Plan) -> Vec<String> {
             .into(),
         format!(
             "Before the second end is closed: {} ± {} between the inner faces of both heads; \
-             strands at {}° ± 1° to the axis; {} of a strand is {} long along the tube. If it is \
+             strands at {}° ± 1° to the axis; a quarter of a turn of a strand is {} long along the tube. If it is \
              longer, push the sleeve together.",
             shown.length(plan.faces_mm(0.0)),
             shown.tolerance(FACES_MM),
             angle(plan),
-            turn.0,
-            shown.length(turn.1.round())
+            quarter_turn(plan)
         ),
         "Close the second end likewise. Mark the sleeve at the inner edge of both clamps.".into(),
     ]
@@ -445,29 +390,18 @@ fn tests(plan: &Plan) -> Vec<String> {
         "Fill it with water by a syringe on the fitting, held upwards: draw the air out, let water \
          in, and repeat until no bubble comes."
     };
-    let frame = Frame::new(plan);
-    let [long, wide, thick] = frame.bridge_mm;
     let mut steps = vec![
         fill.to_owned(),
         format!(
             "Bolt it into the frame, which holds its length ({} between the heads; with a free length an \
-             end would carry the pressure on its bore only). The bolt of each end lies in a pair of bars \
-             {} × {}, {} long (S235JR), with holes {}.",
+             end would carry the pressure on its bore only). The bolt of each end lies in a pair of \
+             bars with holes {}.",
             shown.length(plan.faces_mm(0.0)),
-            mm(frame.bar.width_mm),
-            mm(frame.bar.thick_mm),
-            shown.length(frame.bar_length_mm),
             mm(plan.air_plug.hole_mm)
         ),
-        format!(
-            "The nuts of both rods M{}, of class 8.8 and {} long, lie on bridges {} × {}, {} long, and \
-             press the pairs apart. Safety glasses, a screen, nobody in line with the muscle.",
-            mm(frame.rod_mm),
-            shown.length(frame.rod_length_mm),
-            mm(wide),
-            mm(thick),
-            shown.length(long)
-        ),
+        "The nuts of both rods lie on the bridges, and press the pairs apart. Safety glasses, a screen, \
+         nobody in line with the muscle."
+            .into(),
         format!(
             "Raise the pressure with a hand pump in four steps to {proof}. Then stretch the muscle by the \
              nuts to {} between the heads, and hold both for one minute.",
@@ -484,8 +418,9 @@ fn tests(plan: &Plan) -> Vec<String> {
              bubble comes; close the screw."
                 .into(),
             format!(
-                "Leak test with the liquid: {leak} for five minutes, dry paper around both ends. No \
-                 spot may show."
+                "Leak test with {}: {leak} for five minutes, dry paper around both ends. No \
+                 spot may show.",
+                plan.fluid()
             ),
         ]);
     } else {
@@ -515,10 +450,9 @@ fn record(plan: &Plan) -> Part {
     let [proof, leak] =
         [safety.proof_pressure_mpa, safety.leak_pressure_mpa].map(|p| shown.pressure(p));
     let [held, stretched] = [0.0, -STRETCH].map(|e| shown.length(plan.faces_mm(e)));
-    let (turn, turn_mm) = turn(plan);
-    let (medium, lost) = match plan.liquid {
-        true => ("liquid", "no spot"),
-        false => ("air", "5 % of the pressure at most"),
+    let lost = match plan.liquid {
+        true => "no spot",
+        false => "5 % of the pressure at most",
     };
     let none = String::new;
     let rows = [
@@ -532,13 +466,7 @@ fn record(plan: &Plan) -> Part {
             format!("{held} ± {}", shown.tolerance(FACES_MM)),
         ),
         ("angle of the strands", format!("{}° ± 1°", angle(plan))),
-        (
-            turn,
-            format!(
-                "{} of a strand along the tube",
-                shown.length(turn_mm.round())
-            ),
-        ),
+        ("a quarter of a turn of a strand", quarter_turn(plan)),
         ("strands counted", none()),
         (
             "mass",
@@ -550,7 +478,7 @@ fn record(plan: &Plan) -> Part {
         ("then stretched, one minute", stretched),
         ("load of an end", plan.proof_load()),
         ("marks moved", "0 mm".into()),
-        ("leak test", format!("{leak}, {medium}")),
+        ("leak test", format!("{leak}, {}", plan.fluid())),
         ("lost in five minutes", lost.into()),
         ("passed: tested by, date", none()),
     ];

@@ -11,7 +11,8 @@ use crate::{
     text::{percent, significant},
 };
 use mckibben_core::{
-    analysis::{BUCKLING, PROOF_TO_WORKING, STRETCH},
+    analysis::{BUCKLING, PROOF_TO_BURST, PROOF_TO_WORKING, STRETCH},
+    liquid::LIQUIDS,
     model::Response,
     muscle::{EndsMade, Muscle, Terminals},
     refused::Refused,
@@ -55,7 +56,7 @@ pub struct Plan {
     pub clamped_diameter_mm: f64,
     pub loads: EndLoads,
     pub ends: Ends,
-    /// The plug with the air passage.
+    /// The plug with the passage.
     pub air_plug: Plug,
     pub eye_plug: Plug,
     /// Pressures of the tests.
@@ -73,8 +74,8 @@ const LEAST_INSERTION_MM: f64 = 3.0;
 /// Largest load in N of a printed plug in the proof test, and its least bore in mm (choices).
 const PRINTED_TO_N: f64 = 600.0;
 const PRINTED_FROM_MM: f64 = 4.0;
-/// The load of an end in the proof test over that in use at least, where the burst pressure limits
-/// the proof (a choice).
+/// The load of an end in the proof test over that in use at least, where burst pressure or strands
+/// limit the proof (a choice).
 const LEAST_PROOF: f64 = 1.2;
 /// The same of every other (a choice).
 pub const USUAL_PROOF: f64 = 1.5;
@@ -140,6 +141,16 @@ impl Plan {
     /// Equal muscles side by side, of which it is one.
     pub(crate) fn count(&self) -> u32 {
         self.muscle.job().and_then(|job| job.count).unwrap_or(1)
+    }
+
+    /// What fills it, in a word.
+    pub fn fluid(&self) -> &'static str {
+        let named = self.muscle.job().and_then(|job| job.liquid.as_deref());
+        let known = LIQUIDS.iter().find(|known| Some(known.name) == named);
+        match self.liquid {
+            true => known.map_or("liquid", |known| known.name),
+            false => "air",
+        }
     }
 
     /// Whether the strands are known to be of aramid.
@@ -362,17 +373,35 @@ impl EndParts {
     }
 }
 
-/// What a proof test that the burst pressure lowers leaves to be desired: less than so many times what
-/// the ends carry in use.
+/// What limits the pressure of the proof test, in words.
+fn proof_limit(operating: &Operating) -> String {
+    let limits = &operating.limits;
+    let is_limit = |mpa: f64| operating.proof.pressure_mpa >= mpa * (1.0 - 1e-9);
+    let burst = limits.burst_pressure_mpa.zip(limits.burst_by);
+    match burst.filter(|(mpa, _)| is_limit(PROOF_TO_BURST * mpa)) {
+        Some((_, by)) => format!("three quarters of the least burst pressure, at which {by},"),
+        None if operating.strained_mpa.is_some_and(is_limit) => {
+            "strands that are stretched to their limit".into()
+        }
+        None => format!(
+            "three quarters of what strands and ends bear, stretched by {},",
+            percent(STRETCH)
+        ),
+    }
+}
+
+/// What a proof test that is below twice the working pressure leaves to be desired: less than so many
+/// times what the ends carry in use.
 fn unproved(operating: &Operating, loads: &EndLoads, times: f64, shown: &Shown) -> Option<String> {
     let proof_mpa = operating.proof.pressure_mpa;
     let is_lowered = proof_mpa < PROOF_TO_WORKING * operating.highest_mpa * (1.0 - 1e-9);
     let is_proved = loads.proof_to_use >= times && loads.proof_to_stretched >= 1.0;
     (is_lowered && !is_proved).then(|| {
         format!(
-            "three quarters of the least burst pressure allow a proof test of {}, which loads the ends \
-             with {} times what use does: less than {times}; work at {} or less, or take a sleeve \
-             with more or stronger strands, or a thicker wall",
+            "{} allow a proof test of {}, which loads the ends with {} times what use does: less than \
+             {times}; work at {} or less, or take a sleeve with more or stronger strands, or a \
+             thicker wall",
+            proof_limit(operating),
             shown.pressure(proof_mpa),
             significant(loads.proof_to_use, 3),
             shown.pressure(loads.proved_mpa(operating, times))

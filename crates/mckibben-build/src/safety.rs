@@ -38,6 +38,8 @@ pub struct Operating {
     pub proof: PullAt,
     /// The pressures that the muscle bears.
     pub limits: PressureLimits,
+    /// The pressure in MPa that stretches its strands to their limit.
+    pub strained_mpa: Option<f64>,
     /// What it is for, or half of its free contraction: pulls at contractions.
     pub pulls: Vec<PullAt>,
     /// Free contractions at the pressures of the test sheet: pressure in MPa, contraction.

@@ -77,22 +77,20 @@ fn section(plan: &Plan, plug: &Plug, v: &mut View) {
     let (half, radius) = (0.5 * plug.widest_mm(), 0.5 * stem.diameter_mm);
     let side = 0.5 * plug.side_mm;
     let row = v.scale * half + 6.0;
-    for (i, (mm, to)) in [
+    let port = plug.port.map(|port| (port.height_mm, half));
+    let collar = plug.collar_mm.map(|_| (plug.foot_mm, half));
+    let below = collar.into_iter().chain(port).collect();
+    let above = vec![
         (stem.length_mm, half),
         (plug.eye_mm, 0.0),
         (plug.length_mm, side),
-    ]
-    .into_iter()
-    .enumerate()
-    {
-        let row = row + 7.0 * i as f64;
-        v.across((0.0, mm), (radius, to), row, &plan.shown.bare(mm));
-    }
-    let port = plug.port.map(|port| port.height_mm);
-    let collar = plug.collar_mm.map(|_| plug.foot_mm);
-    for (i, mm) in collar.into_iter().chain(port).enumerate() {
-        let row = row + 7.0 * i as f64;
-        v.across((0.0, mm), (-radius, -half), -row, &plan.shown.bare(mm));
+    ];
+    for (up, measures) in [(1.0, above), (-1.0, below)] {
+        for (i, (mm, to)) in measures.into_iter().enumerate() {
+            let row = up * (row + 7.0 * i as f64);
+            let text = plan.shown.bare(mm);
+            v.across((0.0, mm), (up * radius, up * to), row, &text);
+        }
     }
     let [diameter, tolerance] =
         [stem.diameter_mm, plug.tolerance_mm()].map(|mm| plan.shown.exact(mm));
@@ -141,15 +139,10 @@ fn notes(plan: &Plan, plug: &Plug) -> Vec<String> {
         )
     });
     let made = if plug.is_printed() {
-        [
-            "print solid, standing on the end of the head; seal the stem with epoxy resin",
-            "what is not dimensioned: by the STL file",
-        ]
+        "what is not dimensioned: by the STL file"
     } else {
-        [
-            "turned, head milled; stem Ra 1.6, all else Ra 3.2; stem and passage concentric to 0.1",
-            "corner at the head R 0.8 at most; edges broken 0.2",
-        ]
+        "turned, head milled; stem Ra 1.6, all else Ra 3.2; stem and passage concentric to 0.1; corner \
+         at the head R 0.8 at most; edges broken 0.2"
     };
     let [bore, wider] = [stem.bore_mm(), stem.interference_mm].map(|mm| plan.shown.exact(mm));
     let hole = format!(
@@ -168,9 +161,9 @@ fn notes(plan: &Plan, plug: &Plug) -> Vec<String> {
         ribs,
         Some(hole),
         port,
+        Some(made.into()),
     ]
     .into_iter()
     .flatten()
-    .chain(made.map(String::from))
     .collect()
 }

@@ -31,19 +31,11 @@ fn outside(unit: Unit, inside: f64) -> f64 {
 impl Shown {
     /// A pressure: `2.5 bar`; `0.25 MPa (2.5 bar)` in the default unit.
     pub(crate) fn pressure(&self, mpa: f64) -> String {
-        let bar = format!(" ({} bar)", significant(10.0 * mpa, 3));
-        self.short_pressure(mpa)
-            + if self.pressure.name == "MPa" {
-                &bar
-            } else {
-                ""
-            }
-    }
-
-    /// The same where there is little room.
-    pub(crate) fn short_pressure(&self, mpa: f64) -> String {
         let value = significant(outside(self.pressure, mpa), 3);
-        format!("{value} {}", self.pressure.name)
+        match self.pressure.name {
+            "MPa" => format!("{value} MPa ({} bar)", significant(10.0 * mpa, 3)),
+            name => format!("{value} {name}"),
+        }
     }
 
     pub(crate) fn force(&self, n: f64) -> String {

@@ -126,7 +126,6 @@ pub fn csv(plan: &Plan) -> String {
         mm(plan.faces_mm(0.0)),
         plan.shown.pressure(plan.operating.pressure_mpa)
     );
-    out += "# Then: mckibben identify muscle.toml --data test.csv -o found.toml\n";
     out += COLUMNS;
     out += "distance between the heads (mm),expected (N), from, to\n";
     out += &rows;

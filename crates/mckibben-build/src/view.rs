@@ -1,10 +1,9 @@
-//! Tools of a drawing: a view at a scale, dimensions, hatches.
+//! Tools of a drawing: a view at a scale, sections, dimensions.
 
 use crate::plug::Plug;
-use mckibben_core::{by_number::SortByNumber, extremes::ends};
 use mckibben_report::{
     Anchor, DrawingSheet,
-    Pen::{self, Axis, Outline, Thin},
+    Pen::{self, Outline, Thin},
 };
 
 /// Height of dimensions and notes in mm.
@@ -14,10 +13,10 @@ const ARROW_MM: (f64, f64) = (2.5, 0.42);
 /// An extension line begins so far from the body, and ends so far beyond the dimension, in mm.
 const GAP_MM: f64 = 0.8;
 const BEYOND_MM: f64 = 1.5;
-/// Distance of the lines of a hatch in mm.
-const HATCH_MM: f64 = 1.4;
-/// Sections thinner than this on paper, in mm, are filled (ISO 128-3).
-const THIN_MM: f64 = 1.0;
+/// Greys of arrows and sections.
+const INK: u8 = 0x22;
+const METAL: u8 = 0xe0;
+const WHITE: u8 = 0xff;
 
 /// A body drawn at a scale: `origin` is where its point (0, 0) lies on the sheet.
 pub struct View {
@@ -63,79 +62,23 @@ impl View {
             loop_.into_iter().map(at).collect()
         };
         let (outline, hollows) = plug.section();
-        let loops: Vec<Vec<[f64; 2]>> = [outline].into_iter().chain(hollows).map(place).collect();
-        for edge in &loops {
-            self.outline(Outline, edge);
+        self.section(METAL, Outline, &place(outline));
+        for hollow in hollows {
+            self.section(WHITE, Outline, &place(hollow));
         }
-        self.hatch(&loops, false);
     }
 
-    /// The head of a plug from outside.
-    pub fn head(&mut self, plug: &Plug, datum: f64, side: f64) {
-        let at = |z: f64| datum + side * (z - plug.stem.datum_mm);
-        let [stem, foot, end] = [plug.stem.length_mm, plug.foot_mm, plug.length_mm].map(at);
-        for sign in [-1.0, 1.0] {
-            let [collar, head] =
-                [plug.collar_mm.unwrap_or(plug.side_mm), plug.side_mm].map(|d| 0.5 * sign * d);
-            let edge = [
-                [stem, 0.0],
-                [stem, collar],
-                [foot, collar],
-                [foot, head],
-                [end, head],
-                [end, 0.0],
-            ];
-            self.line(Outline, &edge);
-        }
-        let eye = self.on_sheet(at(plug.eye_mm), 0.0);
-        let radius = 0.5 * plug.hole_mm * self.scale;
-        self.sheet.circle(Outline, eye, radius);
-        let x = at(plug.eye_mm);
-        self.line(Axis, &[[x, -0.8 * plug.hole_mm], [x, 0.8 * plug.hole_mm]]);
+    /// What is cut, or hollow in it.
+    fn section(&mut self, grey: u8, pen: Pen, corners: &[[f64; 2]]) {
+        self.sheet.fill(grey, self.all_on_sheet(corners));
+        self.outline(pen, corners);
     }
 
-    /// A cut ring, on both sides of the axis: its edges, and a hatch; filled where it is thin.
-    pub fn cut(&mut self, [a, b]: [f64; 2], [inner, outer]: [f64; 2], rising: bool) {
+    /// A cut ring, on both sides of the axis.
+    pub fn cut(&mut self, [a, b]: [f64; 2], [inner, outer]: [f64; 2], grey: u8) {
         for sign in [-1.0, 1.0] {
             let [low, high] = [sign * inner, sign * outer];
-            let corners = [[a, low], [b, low], [b, high], [a, high]];
-            if (b - a).abs().min(outer - inner) * self.scale < THIN_MM {
-                self.sheet.fill(self.all_on_sheet(&corners));
-            } else {
-                self.outline(Outline, &corners);
-                self.hatch(&[corners.to_vec()], rising);
-            }
-        }
-    }
-
-    /// Lines at 45° in what lies inside of an odd number of loops.
-    pub fn hatch(&mut self, loops: &[Vec<[f64; 2]>], rising: bool) {
-        let edges: Vec<[[f64; 2]; 2]> = loops
-            .iter()
-            .flat_map(|l| l.iter().zip(l.iter().cycle().skip(1)))
-            .map(|(a, b)| [*a, *b].map(|[x, y]| self.on_sheet(x, y)))
-            .collect();
-        let sign = if rising { 1.0 } else { -1.0 };
-        // Lines y − sign x = c.
-        let height = |p: [f64; 2]| p[1] - sign * p[0];
-        let (low, high) = ends(edges.iter().map(|e| height(e[0])));
-        let step = HATCH_MM * std::f64::consts::SQRT_2;
-        let first = (low / step).ceil() as i64;
-        // A sheet has no room for more.
-        for k in first..=((high / step).floor() as i64).min(first + 1000) {
-            let c = k as f64 * step;
-            let mut cuts: Vec<[f64; 2]> = vec![];
-            for [a, b] in &edges {
-                let ha = height(*a) - c;
-                let hb = height(*b) - c;
-                if (ha < 0.0) != (hb < 0.0) {
-                    let t = ha / (ha - hb);
-                    cuts.push([a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]);
-                }
-            }
-            cuts.sort_by_number(|a| a[0]);
-            cuts.chunks_exact(2)
-                .for_each(|pair| self.sheet.line(Thin, [pair[0], pair[1]]));
+            self.section(grey, Thin, &[[a, low], [b, low], [b, high], [a, high]]);
         }
     }
 
@@ -184,11 +127,12 @@ impl View {
         let half = if is_upright { -way } else { way } * ARROW_MM.1;
         for (tip, way) in [(a, inward), (b, -inward)] {
             let foot = tip + way * ARROW_MM.0;
-            sheet.fill([
+            let corners = [
                 at(tip, place),
                 at(foot, place + half),
                 at(foot, place - half),
-            ]);
+            ];
+            sheet.fill(INK, corners);
         }
         let out = if fits { 0.0 } else { 2.0 * ARROW_MM.0 * way };
         let [from, to] = [at(a - out, place), at(b + out, place)];

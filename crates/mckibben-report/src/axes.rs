@@ -40,7 +40,6 @@ pub struct Placed<'a> {
 
 /// The panels of a figure and their cells.
 pub struct Grid<'a, 'b> {
-    pub title: &'b str,
     pub panels: &'a [Panel],
     pub columns: usize,
     pub cell: &'b dyn Fn(usize) -> Rect,
@@ -120,17 +119,6 @@ impl<'a> Grid<'a, '_> {
             .collect()
     }
 
-    fn wrapped(&self, text: &str, room: f64) -> Vec<String> {
-        let mut lines = self.metrics.wrap(text, LABEL, room);
-        if lines.len() > 2 {
-            lines = vec![lines[0].clone(), lines[1..].join(" ")];
-        }
-        lines
-            .iter()
-            .map(|l| self.metrics.fit(l, LABEL, room))
-            .collect()
-    }
-
     /// The horizontal scale with as many ticks as their texts allow.
     fn x_scale(&self, panel: &Panel, data: Option<(f64, f64)>, width: f64) -> Result<Scale> {
         let mut wanted = ((width / 62.0).round() as usize).clamp(2, 10);
@@ -162,8 +150,8 @@ impl<'a> Grid<'a, '_> {
         )?;
         Ok(Axes {
             frame: Frame { plot, x, y },
-            x_label: self.wrapped(&panel.x.label, plot.w),
-            y_label: self.wrapped(&panel.y.label, plot.h),
+            x_label: self.metrics.wrap(&panel.x.label, LABEL, plot.w),
+            y_label: self.metrics.wrap(&panel.y.label, LABEL, plot.h),
             y_label_x: cell.x + LABEL_ROW / 2.0,
         })
     }
@@ -253,7 +241,6 @@ impl<'a> Grid<'a, '_> {
             self.metrics,
             at,
             width,
-            0.8,
         )
     }
 
@@ -281,10 +268,9 @@ impl<'a> Grid<'a, '_> {
             .then(|| self.legend(index, (plot.x, cell.bottom() - below + 4.0), plot.w));
         if plot.w < 8.0 * PER_MM || plot.h < 8.0 * PER_MM {
             return Err(FigureError::Drawing(format!(
-                "panel {} of the figure \"{}\" would be only {:.0} mm × {:.0} mm; make the figure \
-                 larger or use fewer columns",
+                "panel {} of the figure would be only {:.0} mm × {:.0} mm; make the figure larger or use \
+                 fewer columns",
                 index + 1,
-                self.title,
                 plot.w / PER_MM,
                 plot.h / PER_MM
             )));

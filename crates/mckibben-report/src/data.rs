@@ -1,66 +1,43 @@
-//! The numbers of a figure as a table.
+//! A figure as a page, with its numbers as tables.
 
 use crate::{
-    document::head,
+    document::{Document, Part},
     figure::{Figure, Panel, Result},
-    ticks::number,
 };
-use mckibben_units::clean::markup;
-use std::fmt::Write as _;
-
-const STYLE: &str = "body{margin:1rem auto;max-width:75rem;font-family:DejaVu \
-    Sans,Helvetica,Arial,sans-serif}\
-svg{width:100%;height:auto}table{border-collapse:collapse}th,td{padding:0 1em;text-align:right}";
+use mckibben_units::short_numbers;
 
 impl Figure {
     /// The figure as a self-contained HTML page that needs no network and no script: the SVG, and
-    /// the points of each panel as a table with six significant digits.
+    /// the points of each panel as a table.
     pub fn to_html(&self) -> Result<String> {
-        let title = if self.title.trim().is_empty() {
-            "Figure"
-        } else {
-            self.title.trim()
-        };
-        let mut out = head(title, STYLE, "", "") + &self.to_svg()?;
+        let mut parts = vec![Part::Figure(Box::new(self.clone()))];
         for panel in &self.panels {
-            table(&mut out, panel);
+            let heading = format!("Data {}", panel.title);
+            parts.extend([Part::heading(heading.trim()), table(panel)]);
         }
-        out.push_str("</body></html>\n");
-        Ok(out)
+        let page = Document {
+            title: self.title.clone(),
+            parts,
+            ..Document::default()
+        };
+        page.to_html("")
     }
 }
 
-fn table(out: &mut String, panel: &Panel) {
-    let head = ["Data", panel.title.trim()].join(" ");
-    let x = markup(&panel.x.label);
-    let y = markup(&panel.y.label);
-    let _ = writeln!(
-        out,
-        "<details><summary>{}</summary><table>\n<tr><th></th><th>{x}</th><th>{y}</th></tr>",
-        markup(head.trim())
-    );
-    for series in &panel.series {
-        let name = [series.label.trim(), series.end_label.trim()].join(" ");
-        series
-            .points
-            .iter()
-            .for_each(|point| row(out, name.trim(), *point));
-    }
-    panel
-        .marks
-        .iter()
-        .for_each(|mark| row(out, mark.label.trim(), (mark.x, mark.y)));
-    out.push_str("</table></details>\n");
-}
-
-fn row(out: &mut String, name: &str, (x, y): (f64, f64)) {
-    if x.is_finite() && y.is_finite() {
-        let _ = writeln!(
-            out,
-            "<tr><th>{}</th><td>{}</td><td>{}</td></tr>",
-            markup(name),
-            number(x),
-            number(y)
-        );
-    }
+fn table(panel: &Panel) -> Part {
+    let series = panel.series.iter().flat_map(|series| {
+        let name = [&*series.label, &*series.end_label].join(" ");
+        let points = series.points.iter();
+        points.map(move |(x, y)| (name.clone(), [*x, *y]))
+    });
+    let marks = panel.marks.iter();
+    let marks = marks.map(|mark| (mark.label.clone(), [mark.x, mark.y]));
+    let all = series.chain(marks);
+    let rows = all.filter(|(_, at)| at.iter().all(|v| v.is_finite()));
+    let row = |(name, at): (String, [f64; 2])| {
+        let [x, y] = at.map(|v| short_numbers(&v.to_string()).into_owned());
+        vec![name.trim().to_owned(), x, y]
+    };
+    let head = ["", &panel.x.label, &panel.y.label];
+    Part::table(&head, rows.map(row).collect())
 }

@@ -34,7 +34,7 @@ pub enum Part {
     /// Work in its order, each step with a box to tick.
     Steps(Vec<String>),
     Table {
-        /// Its head; empty for pairs of names and values.
+        /// Its head, where it has one.
         head: Vec<String>,
         rows: Vec<Vec<String>>,
     },
@@ -48,38 +48,28 @@ pub enum Part {
 
 const STYLE: &str = include_str!("document.css");
 
-/// What every page begins with; it loads nothing. `more` is in the head, and the policy allows
-/// `also`.
-pub fn head(title: &str, style: &str, more: &str, also: &str) -> String {
-    let policy = format!("default-src 'none'; style-src 'unsafe-inline'{also}");
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n{more}\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">\n\
-         <title>{}</title><style>{style}</style></head>\n<body>\n",
-        markup(title)
-    )
-}
-
-/// Phones show a report at the width of their screen.
-const VIEWPORT: &str = "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+/// What every page begins with: it loads nothing, and phones show it at the width of their screen.
+const HEAD: &str = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
+    <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+    <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
+    style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">\n";
 
 impl Document {
+    /// Its title block as a table.
+    pub(crate) fn block(&self) -> Part {
+        Part::pairs(self.title_block.clone())
+    }
+
     /// The report as one HTML page. `viewer` is a script (a module without imports) that finds each
     /// body's data in an element `.body` as JSON and shows it there.
     pub fn to_html(&self, viewer: &str) -> Result<String> {
-        let mut out = head(
-            &self.title,
-            STYLE,
-            VIEWPORT,
-            "; script-src 'unsafe-inline'; img-src data:",
-        );
         let title = markup(&self.title);
         let lead = markup(&self.lead);
-        let block = title_block(&self.title_block);
-        let _ = writeln!(
-            out,
-            "<header><h1>{title}</h1>{block}</header>\n<p class=\"lead\">{lead}</p>"
+        let mut out = format!(
+            "{HEAD}<title>{title}</title><style>{STYLE}</style></head>\n<body>\n<h1>{title}</h1>\n"
         );
+        self.block().write(&mut out)?;
+        let _ = writeln!(out, "<p class=\"lead\">{lead}</p>");
         for part in &self.parts {
             part.write(&mut out)?;
         }
@@ -104,6 +94,13 @@ impl Part {
     pub fn table(head: &[&str], rows: Vec<Vec<String>>) -> Self {
         let head = head.iter().map(ToString::to_string).collect();
         Self::Table { head, rows }
+    }
+
+    /// A table of names and values.
+    pub fn pairs(rows: impl IntoIterator<Item = (impl Into<String>, String)>) -> Self {
+        let rows = rows.into_iter();
+        let rows = rows.map(|(name, value)| vec![name.into(), value]);
+        Self::table(&[], rows.collect())
     }
 
     fn write(&self, out: &mut String) -> Result<()> {
@@ -139,22 +136,6 @@ fn items(list: &[String]) -> String {
     list.iter()
         .map(|text: &String| format!("<li>{}</li>", markup(text)))
         .collect()
-}
-
-fn title_block(fields: &[(String, String)]) -> String {
-    let one = |(name, value): &(String, String)| {
-        format!(
-            "<div><dt>{}</dt><dd>{}</dd></div>",
-            markup(name),
-            markup(value)
-        )
-    };
-    let all: String = fields.iter().map(one).collect();
-    if all.is_empty() {
-        all
-    } else {
-        format!("<dl class=\"block\">{all}</dl>")
-    }
 }
 
 fn table(head: &[String], rows: &[Vec<String>]) -> String {

@@ -5,7 +5,7 @@ use crate::{
     curve::Frame,
     drawing::{
         Anchor::{self, End, Middle, Start},
-        Cap, Colour, Drawing, INK,
+        Colour, Drawing, INK,
         Item::{self, Path},
         Paint,
         Shape::{self, Line, Polygon},
@@ -25,6 +25,8 @@ const SOFT: Colour = [0x59; 3];
 const GRID: Colour = [0xe4; 3];
 const ZERO: Colour = [0x9a; 3];
 const LINE_WIDTH: f64 = 1.7;
+/// From the middle line of a text to its base line, as a share of its size.
+const BASE: f64 = 0.36;
 /// Radius of a marker.
 const MARKER: f64 = 3.1;
 /// Their shapes, of which the last is a cross.
@@ -51,17 +53,17 @@ fn draw(figure: &Figure, page: &Page<'_>) -> Drawing {
     let mut items = Vec::new();
     for (i, line) in page.title.iter().enumerate() {
         let y = 10.0 + TITLE / 2.0 + i as f64 * (TITLE + 4.0);
-        items.push(text((page.left, y), TITLE, Start, bold(0.35), line));
+        items.push(text((layout::MARGIN, y), TITLE, Start, bold(0.35), line));
     }
-    items.extend(page.panels.iter().map(|placed| panel(placed, colours)));
-    items.extend(
-        page.legend
-            .iter()
-            .map(|legend| drawn_legend(legend, colours)),
-    );
+    for placed in &page.panels {
+        draw_panel(&mut items, placed, colours);
+    }
+    if let Some(legend) = &page.legend {
+        draw_legend(&mut items, legend, colours);
+    }
     for (i, line) in page.caption.iter().enumerate() {
         items.push(text(
-            (page.left, page.caption_y + i as f64 * 12.0),
+            (layout::MARGIN, page.caption_y + i as f64 * 12.0),
             CAPTION,
             Start,
             Paint::fill(SOFT),
@@ -80,7 +82,7 @@ fn draw(figure: &Figure, page: &Page<'_>) -> Drawing {
 fn text(at: Spot, size: f64, anchor: Anchor, paint: Paint, words: &str) -> Item {
     Item::Text(Text {
         paint,
-        ..Text::new((at.0, at.1 + 0.36 * size), size, anchor, words)
+        ..Text::new((at.0, at.1 + BASE * size), size, anchor, words)
     })
 }
 
@@ -89,9 +91,8 @@ fn bold(width: f64) -> Paint {
     Paint::stroke(INK, width).filled(INK)
 }
 
-fn panel(placed: &Placed<'_>, colours: &Colours) -> Item {
-    let mut out = Vec::new();
-    draw_axes(&mut out, &placed.axes);
+fn draw_panel(out: &mut Vec<Item>, placed: &Placed<'_>, colours: &Colours) {
+    draw_axes(out, &placed.axes);
     let (x, y, title) = &placed.title;
     if !title.is_empty() {
         out.push(text((*x, *y), PANEL_TITLE, Start, bold(0.2), title));
@@ -117,31 +118,21 @@ fn panel(placed: &Placed<'_>, colours: &Colours) -> Item {
         };
         anything |= runs.iter().any(|run| !run.is_empty());
         let neutral = series.neutral.then_some(INK);
-        draw_series(&mut out, runs, (series.style, number), neutral, colours);
+        draw_series(out, runs, (series.style, number), neutral, colours);
     }
-    let marks: Vec<Item> = placed
-        .panel
-        .marks
-        .iter()
-        .filter_map(|m| frame.mark(m))
-        .map(mark)
-        .collect();
+    let marks = placed.panel.marks.iter().filter_map(|m| frame.mark(m));
+    let marks: Vec<Item> = marks.flat_map(mark).collect();
     if !anything && marks.is_empty() {
         let (middle, soft) = (frame.plot.middle(), Paint::fill(SOFT));
         out.push(text(middle, LABEL, Middle, soft, "no data in this range"));
     }
     out.extend(marks);
-    out.extend(
-        placed
-            .legend
-            .iter()
-            .map(|legend| drawn_legend(legend, colours)),
-    );
-    placed
-        .labels
-        .iter()
-        .for_each(|label| draw_label(&mut out, label, colours));
-    Item::group(out)
+    if let Some(legend) = &placed.legend {
+        draw_legend(out, legend, colours);
+    }
+    for label in &placed.labels {
+        draw_label(out, label, colours);
+    }
 }
 
 /// Draws the runs of a series: lines, or markers.
@@ -153,10 +144,7 @@ fn draw_series(
     colours: &Colours,
 ) {
     let colour = neutral.unwrap_or_else(|| colours.of(number));
-    let mut paint = Paint {
-        has_round_joins: true,
-        ..Paint::stroke(colour, LINE_WIDTH)
-    };
+    let mut paint = Paint::stroke(colour, LINE_WIDTH);
     let mut shapes = Vec::new();
     let mut alone = Vec::new();
     if style == Style::Points {
@@ -167,12 +155,9 @@ fn draw_series(
         paint.fill = Some(WHITE);
     } else {
         paint.dashes = colours.dashes(style, number);
-        if paint.dashes.is_empty() {
-            paint.cap = Cap::Round;
-        }
         for run in runs {
             match *run {
-                [spot] => alone.push(Item::Circle(spot, 1.8, Paint::fill(colour))),
+                [spot] => alone.push(Item::circle(spot, 1.8, Paint::fill(colour))),
                 _ => shapes.push(Line(run)),
             }
         }
@@ -213,15 +198,15 @@ fn marker(number: usize, (x, y): Spot) -> Vec<Shape> {
 }
 
 /// An operating point.
-fn mark(at: Spot) -> Item {
-    Item::group(vec![
-        Item::Circle(
+fn mark(at: Spot) -> [Item; 2] {
+    [
+        Item::circle(
             at,
             labels::RING - 0.7,
             Paint::stroke(INK, 1.3).filled(WHITE),
         ),
-        Item::Circle(at, 2.2, Paint::fill(INK)),
-    ])
+        Item::circle(at, 2.2, Paint::fill(INK)),
+    ]
 }
 
 fn draw_axes(out: &mut Vec<Item>, axes: &Axes) {
@@ -252,8 +237,11 @@ fn draw_axes(out: &mut Vec<Item>, axes: &Axes) {
         write((x, row + i as f64 * (LABEL + 2.5)), LABEL, Middle, line);
     }
     for (i, line) in axes.y_label.iter().enumerate() {
-        let at = (axes.y_label_x + i as f64 * (LABEL + 2.5), y);
-        out.push(text(at, LABEL, Middle, ink, line).turned_about(at));
+        let x = axes.y_label_x + i as f64 * (LABEL + 2.5);
+        out.push(Item::Text(Text {
+            is_upright: true,
+            ..Text::new((x + BASE * LABEL, y), LABEL, Middle, line)
+        }));
     }
 }
 
@@ -283,12 +271,8 @@ fn draw_grid(out: &mut Vec<Item>, frame: &Frame) {
         out.push(Path(zero, Paint::stroke(ZERO, 0.9)));
     }
     let mut axes = at_ticks([bottom, bottom + TICK_LENGTH], [left - TICK_LENGTH, left]);
-    axes.push(Shape::Axes((left, top), (right, bottom)));
-    let paint = Paint {
-        cap: Cap::Square,
-        ..Paint::stroke(INK, 1.0)
-    };
-    out.push(Path(axes, paint));
+    axes.push(Line(vec![(left, top), (left, bottom), (right, bottom)]));
+    out.push(Path(axes, Paint::stroke(INK, 1.0)));
 }
 
 fn draw_label(out: &mut Vec<Item>, label: &Label, colours: &Colours) {
@@ -297,29 +281,19 @@ fn draw_label(out: &mut Vec<Item>, label: &Label, colours: &Colours) {
         let line = Line(vec![a, b]);
         out.push(Path(vec![line], Paint::stroke(colour, 0.7)));
     }
-    let ground = Paint {
-        has_round_joins: true,
-        ..Paint::stroke(WHITE, 3.0).filled(WHITE)
-    };
+    let ground = Paint::stroke(WHITE, 3.0).filled(WHITE);
     for paint in [ground, Paint::fill(colour)] {
         out.push(text(label.at, labels::SIZE, Start, paint, &label.text));
     }
 }
 
-fn drawn_legend(legend: &Legend, colours: &Colours) -> Item {
-    let mut out = Vec::new();
+fn draw_legend(out: &mut Vec<Item>, legend: &Legend, colours: &Colours) {
     for (x, y, entry) in &legend.entries {
         let run = match entry.style {
             Style::Points => vec![(x + legend::SAMPLE / 2.0, *y)],
             _ => vec![(*x, *y), (x + legend::SAMPLE, *y)],
         };
-        draw_series(
-            &mut out,
-            vec![run],
-            (entry.style, entry.colour),
-            None,
-            colours,
-        );
+        draw_series(out, vec![run], (entry.style, entry.colour), None, colours);
         let at = (x + legend::SAMPLE + 6.0, *y);
         out.push(text(
             at,
@@ -329,5 +303,4 @@ fn drawn_legend(legend: &Legend, colours: &Colours) -> Item {
             &entry.label,
         ));
     }
-    Item::group(out)
 }

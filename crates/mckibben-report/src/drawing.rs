@@ -26,25 +26,14 @@ pub struct Drawing {
 pub enum Item {
     /// Shapes that are painted alike.
     Path(Vec<Shape>, Paint),
-    /// Middle and radius.
-    Circle(Spot, f64, Paint),
     Text(Text),
     /// Items with their origin at a place, so many times as large.
     Group(Spot, f64, Vec<Self>),
 }
 
 impl Item {
-    /// A text turned about a place, so that it reads upwards.
-    pub fn turned_about(mut self, place: Spot) -> Self {
-        if let Self::Text(text) = &mut self {
-            text.turned_about = Some(place);
-        }
-        self
-    }
-
-    /// Items that belong together.
-    pub fn group(items: Vec<Self>) -> Self {
-        Self::Group((0.0, 0.0), 1.0, items)
+    pub fn circle(middle: Spot, radius: f64, paint: Paint) -> Self {
+        Self::Path(vec![Shape::Circle(middle, radius)], paint)
     }
 }
 
@@ -56,11 +45,10 @@ pub enum Shape {
     Circle(Spot, f64),
     /// Upper left corner and side.
     Square(Spot, f64),
-    /// A line down and to the right: its upper and its right end.
-    Axes(Spot, Spot),
 }
 
-/// How a shape is painted: filled, along its outline, or both.
+/// How a shape is painted: filled, along its outline, or both. A solid stroke has round ends, and all
+/// have round joins.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Paint {
     pub fill: Option<Colour>,
@@ -68,19 +56,8 @@ pub struct Paint {
     pub stroke: Option<Colour>,
     /// Of the stroke.
     pub width: f64,
-    pub has_round_joins: bool,
-    pub cap: Cap,
     /// Lengths of dashes and gaps; without any the stroke is solid.
     pub dashes: &'static [f64],
-}
-
-/// The end of a line.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Cap {
-    #[default]
-    Butt,
-    Round,
-    Square,
 }
 
 impl Paint {
@@ -119,11 +96,11 @@ pub struct Text {
     pub at: Spot,
     pub size: f64,
     pub anchor: Anchor,
-    /// Its stroke stands in place of a bold face; one with round joins is the ground of the same
-    /// text, which keeps that readable over a line.
+    /// Its stroke stands in place of a bold face; a white one is the ground of the same text, which
+    /// keeps that readable over a line.
     pub paint: Paint,
-    /// It reads upwards: turned about this place.
-    pub turned_about: Option<Spot>,
+    /// It reads upwards: turned about its place.
+    pub is_upright: bool,
 }
 
 impl Text {
@@ -134,11 +111,11 @@ impl Text {
             size,
             anchor,
             paint: Paint::fill(INK),
-            turned_about: None,
+            is_upright: false,
         }
     }
 
     pub fn is_ground(&self) -> bool {
-        self.paint.has_round_joins
+        self.paint.stroke == Some(WHITE)
     }
 }

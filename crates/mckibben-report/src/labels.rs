@@ -43,14 +43,8 @@ fn around(at: Spot, w: f64) -> Rect {
 }
 
 /// Left end of a text of a width at the place of the least cost, and takes its box: of drawn lines and
-/// points under it, of texts under it, of parts outside of the plot, and what each place costs by itself;
-/// `is_crossed` adds to it.
-pub fn cheapest(
-    places: impl Iterator<Item = (f64, Spot)>,
-    w: f64,
-    room: &mut Room,
-    is_crossed: impl Fn(&Rect, &Room) -> bool,
-) -> Spot {
+/// points under it, of texts under it, of parts outside of the plot, and what each place costs by itself.
+pub fn cheapest(places: impl Iterator<Item = (f64, Spot)>, w: f64, room: &mut Room) -> Spot {
     let within = room.plot.grown(-2.0);
     let mut best = (f64::INFINITY, Spot::default());
     for (least, at) in places {
@@ -65,9 +59,6 @@ pub fn cheapest(
         }
         if !within.holds(&rect) {
             cost += 3000.0;
-        }
-        if cost < best.0 && is_crossed(&rect, room) {
-            cost += 100.0;
         }
         if cost < best.0 {
             best = (cost, at);
@@ -100,9 +91,7 @@ pub fn for_marks(marks: &[Mark], frame: &Frame, metrics: &Metrics, room: &mut Ro
             continue;
         };
         let w = metrics.width(&text, SIZE);
-        let at = cheapest(beside(spot, w), w, room, |rect, room| {
-            leader(spot, rect).is_some_and(|(_, end)| room.crosses_box(spot, end))
-        });
+        let at = cheapest(beside(spot, w), w, room);
         labels.push(Label {
             at,
             text,

@@ -9,7 +9,8 @@ use crate::{
     rect::{PER_MM, Rect},
 };
 
-const MARGIN: f64 = 16.0;
+/// Left end of title and caption, and room on the right.
+pub const MARGIN: f64 = 16.0;
 /// Of a paper of a given width: the least width of a panel, mm, and the height of a single one over
 /// the width.
 const PANEL_MM: f64 = 75.0;
@@ -20,8 +21,6 @@ const CAPTION_ROW: f64 = 12.0;
 pub struct Page<'a> {
     pub width: f64,
     pub height: f64,
-    /// Left end of title and caption.
-    pub left: f64,
     pub title: Vec<String>,
     pub caption: Vec<String>,
     /// Middle of the first caption line.
@@ -114,8 +113,7 @@ pub fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>> {
     };
     let has_legends = common.is_none();
     let entries = common.filter(|entries| !entries.is_empty());
-    let mut legend =
-        entries.map(|entries| legend::rows(entries, metrics, (MARGIN, 0.0), inner, 1.0));
+    let mut legend = entries.map(|entries| legend::rows(entries, metrics, (MARGIN, 0.0), inner));
     let mut height = height_mm * PER_MM;
     if let Some(legend) = &legend
         && figure.size_mm.is_none_or(|(_, height_mm)| height_mm == 0.0)
@@ -134,7 +132,6 @@ pub fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>> {
     }
     let cell = cell(figure, top, bottom, inner);
     let panels = Grid {
-        title: &figure.title,
         panels: &figure.panels,
         columns,
         cell: &cell,
@@ -145,7 +142,6 @@ pub fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>> {
     Ok(Page {
         width,
         height,
-        left: MARGIN,
         title,
         caption,
         caption_y,

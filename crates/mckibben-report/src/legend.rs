@@ -71,15 +71,9 @@ pub fn shared(panels: &[Panel]) -> Option<Vec<Entry>> {
 }
 
 /// Rows of entries set one after the other within a width, with texts shortened to what fits beside a
-/// sample in a share of it.
-pub fn rows(
-    mut entries: Vec<Entry>,
-    metrics: &Metrics,
-    (x, y): (f64, f64),
-    width: f64,
-    share: f64,
-) -> Legend {
-    let room = share * width - SAMPLE - 3.0 * GAP;
+/// sample.
+pub fn rows(mut entries: Vec<Entry>, metrics: &Metrics, (x, y): (f64, f64), width: f64) -> Legend {
+    let room = width - SAMPLE - 3.0 * GAP;
     for entry in &mut entries {
         entry.label = metrics.fit(&entry.label, SIZE, room);
     }

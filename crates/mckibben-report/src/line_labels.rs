@@ -98,7 +98,7 @@ fn along(line: Ended, metrics: &Metrics, room: &mut Room) -> Label {
         })
     });
     Label {
-        at: cheapest(places, w, room, |_, _| false),
+        at: cheapest(places, w, room),
         text: line.text,
         colour: line.colour,
         leader: None,

@@ -38,8 +38,6 @@ const GUTTER_MM: f64 = 4.0;
 const FIGURE_MM: f64 = 115.0;
 /// Room for a heading above a drawing.
 const HEAD_MM: f64 = 16.0;
-/// Side of a box to tick.
-const BOX_MM: f64 = 3.2;
 
 /// Pages that are filled from above.
 struct Pages {
@@ -61,7 +59,7 @@ impl Document {
         };
         pages.text(&self.title, LEFT_MM, TITLE_MM);
         pages.y -= 2.0;
-        pages.title_block(&self.title_block);
+        pages.part(&self.block())?;
         pages.text(&self.lead, LEFT_MM, TEXT_MM);
         for (i, part) in self.parts.iter().enumerate() {
             if let (Part::Heading(_), Some(Part::Drawing(sheet))) = (part, self.parts.get(i + 1)) {
@@ -126,12 +124,7 @@ impl Pages {
             Part::Stop(list) => self.stop(list),
             Part::Steps(steps) => {
                 for (i, step) in steps.iter().enumerate() {
-                    let lines = self.lines(step, TEXT_MM, WIDTH_MM - 16.0).len();
-                    self.room(ROW_MM * lines as f64 + 1.0);
-                    let [x, y] = [LEFT_MM, self.y - 1.0 - ROW_MM - 0.5];
-                    let [x, y] = [x, y].map(|from| [from, from + BOX_MM]);
-                    self.sheet.rectangle(Thin, x, y);
-                    self.item(&format!("      {}", i + 1), step);
+                    self.item(&format!("□ {}", i + 1), step);
                 }
             }
             Part::Table { head, rows } => self.table(head, rows),
@@ -159,36 +152,14 @@ impl Pages {
         self.text(text, x, TEXT_MM);
     }
 
-    /// Sentences in a frame.
+    /// Sentences between two thick lines.
     fn stop(&mut self, list: &[String]) {
-        let count: usize = list
-            .iter()
-            .map(|text| self.lines(text, TEXT_MM, WIDTH_MM - 12.0).len())
-            .sum();
-        self.room(ROW_MM * count as f64 + list.len() as f64 + 6.0);
         self.y -= 2.0;
-        let top = self.y;
-        list.iter().for_each(|text| self.item("  !", text));
+        self.rule(Outline);
+        list.iter().for_each(|text| self.item("!", text));
         self.y -= 2.5;
-        self.sheet
-            .rectangle(Outline, [LEFT_MM, RIGHT_MM + 2.0], [self.y, top]);
+        self.rule(Outline);
         self.y -= 1.0;
-    }
-
-    fn title_block(&mut self, fields: &[(String, String)]) {
-        let width = WIDTH_MM / 4.0;
-        for row in fields.chunks(4) {
-            self.rule(Thin);
-            for (i, (name, text)) in row.iter().enumerate() {
-                let x = LEFT_MM + width * i as f64 + 1.0;
-                self.sheet.text([x, self.y - 3.0], 1.8, Start, name);
-                let shown = self.metrics.fit(text, SIZE, (width - 2.0) * PER_MM);
-                self.sheet.text([x, self.y - 7.5], TEXT_MM, Start, shown);
-            }
-            self.y -= 9.0;
-        }
-        self.rule(Thin);
-        self.y -= 2.0;
     }
 
     /// Widths of columns in mm: as wide as their texts, the widest narrower where all have no room.

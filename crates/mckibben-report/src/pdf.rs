@@ -1,7 +1,7 @@
 //! Drawings as the pages of a PDF: vectors, and real text in the embedded font.
 
 use crate::{
-    drawing::{Cap, Drawing, Item, PALE, Paint, Shape, Text},
+    drawing::{Drawing, Item, PALE, Paint, Shape, Text},
     figure::{Figure, FigureError, Result},
     font::Metrics,
     png::traced,
@@ -74,6 +74,8 @@ pub fn render(drawings: &[&Drawing], title: &str) -> Result<Vec<u8>> {
         writer
             .content
             .transform([points, 0.0, 0.0, -points, 0.0, height])
+            .set_line_cap(LineCapStyle::RoundCap)
+            .set_line_join(LineJoinStyle::RoundJoin)
             .set_fill_gray(1.0)
             .rect(0.0, 0.0, fine(drawing.width), fine(drawing.height))
             .fill_nonzero();
@@ -162,9 +164,6 @@ impl Writer {
             self.content.save_state();
             match item {
                 Item::Path(shapes, paint) => self.path(shapes, paint),
-                Item::Circle(middle, radius, paint) => {
-                    self.path(&[Shape::Circle(*middle, *radius)], paint);
-                }
                 Item::Text(text) => self.text(text),
                 Item::Group((x, y), scale, items) => {
                     let [x, y, scale] = [*x, *y, *scale].map(fine);
@@ -191,16 +190,9 @@ impl Writer {
         self.content
             .set_stroke_rgb(r, g, b)
             .set_line_width(fine(paint.width));
-        match paint.cap {
-            Cap::Butt => &mut self.content,
-            Cap::Round => self.content.set_line_cap(LineCapStyle::RoundCap),
-            Cap::Square => self.content.set_line_cap(LineCapStyle::ProjectingSquareCap),
-        };
-        if paint.has_round_joins {
-            self.content.set_line_join(LineJoinStyle::RoundJoin);
-        }
         if !paint.dashes.is_empty() {
             self.content
+                .set_line_cap(LineCapStyle::ButtCap)
                 .set_dash_pattern(paint.dashes.iter().map(|length| *length as f32), 0.0);
         }
     }
@@ -237,9 +229,10 @@ impl Writer {
                 .actual_text(TextStr(""));
         }
         let (x, y) = self.metrics.start(text);
-        let matrix = match text.turned_about {
-            None => [1.0, 0.0, 0.0, -1.0, x, y],
-            Some((u, v)) => [0.0, -1.0, -1.0, 0.0, u + y - v, v - x + u],
+        let (u, v) = text.at;
+        let matrix = match text.is_upright {
+            false => [1.0, 0.0, 0.0, -1.0, x, y],
+            true => [0.0, -1.0, -1.0, 0.0, u, v - x + u],
         };
         let words = self.encoded(&text.words);
         self.content

@@ -1,7 +1,7 @@
 //! A drawing as pixels; texts are the outlines of the embedded font.
 
 use crate::{
-    drawing::{Cap, Drawing, Item, PALE, Paint, Shape, Text},
+    drawing::{Drawing, Item, PALE, Paint, Shape, Text},
     figure::{Figure, FigureError, Result},
     font::Metrics,
     rect::Spot,
@@ -55,9 +55,6 @@ impl Canvas {
         for item in items {
             match item {
                 Item::Path(shapes, paint) => self.paint(traced(shapes), paint, to),
-                Item::Circle(middle, radius, paint) => {
-                    self.paint(traced(&[Shape::Circle(*middle, *radius)]), paint, to);
-                }
                 Item::Text(text) => self.text(text, to),
                 Item::Group(at, scale, items) => {
                     self.items(items, to.pre_concat(scaled(*at, *scale)));
@@ -83,9 +80,12 @@ impl Canvas {
             }
             x += self.metrics.advance(c, *size);
         }
-        let turned = text.turned_about.map_or(to, |(x, y)| {
-            to.pre_concat(Transform::from_rotate_at(-90.0, x as f32, y as f32))
-        });
+        let turned = if text.is_upright {
+            let [x, y] = [text.at.0, text.at.1].map(|v| v as f32);
+            to.pre_concat(Transform::from_rotate_at(-90.0, x, y))
+        } else {
+            to
+        };
         self.paint(path, &text.paint, turned);
     }
 
@@ -105,20 +105,16 @@ impl Canvas {
         }
         if let Some([r, g, b]) = paint.stroke {
             ink.set_color_rgba8(r, g, b, 255);
-            let dashes = paint.dashes.iter().map(|length| *length as f32);
+            let dashes: Vec<f32> = paint.dashes.iter().map(|length| *length as f32).collect();
             let stroke = Stroke {
                 width: paint.width as f32,
-                line_cap: match paint.cap {
-                    Cap::Butt => LineCap::Butt,
-                    Cap::Round => LineCap::Round,
-                    Cap::Square => LineCap::Square,
-                },
-                line_join: if paint.has_round_joins {
-                    LineJoin::Round
+                line_cap: if dashes.is_empty() {
+                    LineCap::Round
                 } else {
-                    LineJoin::Miter
+                    LineCap::Butt
                 },
-                dash: StrokeDash::new(dashes.collect(), 0.0),
+                line_join: LineJoin::Round,
+                dash: StrokeDash::new(dashes, 0.0),
                 ..Stroke::default()
             };
             self.pixels.stroke_path(&path, &ink, &stroke, to, None);
@@ -132,7 +128,6 @@ pub fn traced(shapes: &[Shape]) -> PathBuilder {
     for shape in shapes {
         match shape {
             Shape::Line(spots) => line(&mut path, spots),
-            Shape::Axes(top, end) => line(&mut path, &[*top, (top.0, end.1), *end]),
             Shape::Polygon(spots) => {
                 line(&mut path, spots);
                 path.close();

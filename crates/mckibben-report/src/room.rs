@@ -1,6 +1,7 @@
 //! Where in a plot something is drawn already, so that texts can keep away from it.
 
 use crate::rect::{Rect, Spot, between};
+use std::collections::HashSet;
 
 /// Side of a cell, units of the drawing.
 const CELL: f64 = 3.0;
@@ -9,37 +10,22 @@ const CELL: f64 = 3.0;
 pub struct Room {
     /// The plot this is about.
     pub plot: Rect,
-    columns: usize,
-    rows: usize,
-    /// Whether something is drawn in the cell.
-    cells: Vec<bool>,
+    /// Cells in which something is drawn.
+    drawn: HashSet<[i64; 2]>,
     boxes: Vec<Rect>,
-}
-
-/// The number of a cell, of so many.
-fn cell(from_edge: f64, count: usize) -> usize {
-    (from_edge / CELL).floor().clamp(0.0, (count - 1) as f64) as usize
 }
 
 impl Room {
     pub fn new(plot: Rect) -> Self {
-        let columns = (plot.w / CELL).ceil().max(1.0) as usize;
-        let rows = (plot.h / CELL).ceil().max(1.0) as usize;
         Self {
             plot,
-            columns,
-            rows,
-            cells: vec![false; columns * rows],
+            drawn: HashSet::new(),
             boxes: Vec::new(),
         }
     }
 
-    fn column(&self, x: f64) -> usize {
-        cell(x - self.plot.x, self.columns)
-    }
-
-    fn row(&self, y: f64) -> usize {
-        cell(y - self.plot.y, self.rows)
+    fn cell(&self, (x, y): Spot) -> [i64; 2] {
+        [x - self.plot.x, y - self.plot.y].map(|v| (v / CELL).floor() as i64)
     }
 
     /// Notes a drawn line.
@@ -60,10 +46,8 @@ impl Room {
     }
 
     /// Notes a drawn point.
-    pub fn add_spot(&mut self, (x, y): Spot) {
-        let column = self.column(x);
-        let row = self.row(y);
-        self.cells[row * self.columns + column] = true;
+    pub fn add_spot(&mut self, spot: Spot) {
+        self.drawn.insert(self.cell(spot));
     }
 
     /// Notes a drawn marker.
@@ -85,21 +69,11 @@ impl Room {
         self.boxes.iter().any(|taken| taken.meets(rect))
     }
 
-    /// Whether the way from `a` to `b` runs through a noted box that does not hold `a`.
-    pub fn crosses_box(&self, a: Spot, b: Spot) -> bool {
-        let others: Vec<_> = self.boxes.iter().filter(|taken| !taken.has(a)).collect();
-        let is_taken = |spot| others.iter().any(|taken| taken.has(spot));
-        (1..=24).any(|i| is_taken(between(a, b, f64::from(i) / 24.0)))
-    }
-
     /// How many cells with something drawn lie under a rectangle.
     pub fn drawn_under(&self, rect: &Rect) -> usize {
-        let columns = self.column(rect.x)..=self.column(rect.right());
-        self.cells
-            .chunks(self.columns)
-            .take(self.row(rect.bottom()) + 1)
-            .skip(self.row(rect.y))
-            .map(|row| row[columns.clone()].iter().filter(|drawn| **drawn).count())
-            .sum()
+        let [left, top] = self.cell((rect.x, rect.y));
+        let [right, bottom] = self.cell((rect.right(), rect.bottom()));
+        let cells = (left..=right).flat_map(|x| (top..=bottom).map(move |y| [x, y]));
+        cells.filter(|cell| self.drawn.contains(cell)).count()
     }
 }

@@ -5,7 +5,7 @@
 
 use crate::{
     drawing::{Anchor, Drawing, INK, Item, Paint, Shape, Text},
-    figure::{FigureError, Result},
+    figure::Result,
     layout::check_paper,
     rect::{PER_MM, Spot},
 };
@@ -17,8 +17,6 @@ pub const CAPITALS: f64 = 0.729;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct DrawingSheet {
     drawing: Drawing,
-    /// A place that is not a number.
-    is_lost: bool,
 }
 
 /// A kind of line.
@@ -41,7 +39,6 @@ impl Pen {
             &[]
         };
         Paint {
-            has_round_joins: true,
             dashes,
             ..Paint::stroke(INK, width_mm * PER_MM)
         }
@@ -58,17 +55,15 @@ impl DrawingSheet {
                 height: height_mm * PER_MM,
                 items: vec![],
             },
-            is_lost: false,
         }
     }
 
     /// A place in units of the drawing, y downwards.
-    fn place(&mut self, [x, y]: [f64; 2]) -> Spot {
-        self.is_lost |= !(x.is_finite() && y.is_finite());
+    fn place(&self, [x, y]: [f64; 2]) -> Spot {
         (x * PER_MM, self.drawing.height - y * PER_MM)
     }
 
-    fn places(&mut self, points: Vec<[f64; 2]>) -> Vec<Spot> {
+    fn places(&self, points: Vec<[f64; 2]>) -> Vec<Spot> {
         points.into_iter().map(|point| self.place(point)).collect()
     }
 
@@ -84,27 +79,19 @@ impl DrawingSheet {
 
     /// A closed line through corners.
     pub fn outline(&mut self, pen: Pen, corners: impl Into<Vec<[f64; 2]>>) {
-        let mut points = corners.into();
-        points.extend(points.first().copied());
-        self.line(pen, points);
+        let polygon = Shape::Polygon(self.places(corners.into()));
+        self.push(Item::Path(vec![polygon], pen.paint()));
     }
 
-    pub fn rectangle(&mut self, pen: Pen, [left, right]: [f64; 2], [low, high]: [f64; 2]) {
-        self.outline(
-            pen,
-            [[left, low], [right, low], [right, high], [left, high]],
-        );
-    }
-
-    /// A filled polygon: an arrow, a thin section.
-    pub fn fill(&mut self, points: impl Into<Vec<[f64; 2]>>) {
+    /// A polygon filled with a grey, from 0 for black to 255 for white: an arrow, a section.
+    pub fn fill(&mut self, grey: u8, points: impl Into<Vec<[f64; 2]>>) {
         let polygon = Shape::Polygon(self.places(points.into()));
-        self.push(Item::Path(vec![polygon], Paint::fill(INK)));
+        self.push(Item::Path(vec![polygon], Paint::fill([grey; 3])));
     }
 
     pub fn circle(&mut self, pen: Pen, centre: [f64; 2], radius_mm: f64) {
         let centre = self.place(centre);
-        self.push(Item::Circle(centre, radius_mm * PER_MM, pen.paint()));
+        self.push(Item::circle(centre, radius_mm * PER_MM, pen.paint()));
     }
 
     /// A text that reads to the right: the place of its base line, and the height of its capitals.
@@ -124,23 +111,12 @@ impl DrawingSheet {
     ) {
         self.text(at, height_mm, anchor, text);
         if let Some(Item::Text(text)) = self.drawing.items.last_mut() {
-            text.turned_about = Some(text.at);
+            text.is_upright = true;
         }
     }
 
     pub(crate) fn drawing(&self) -> Result<&Drawing> {
-        let Drawing {
-            title,
-            width,
-            height,
-            ..
-        } = &self.drawing;
-        check_paper(width / PER_MM, height / PER_MM)?;
-        if self.is_lost {
-            return Err(FigureError::Drawing(format!(
-                "a place of the drawing \"{title}\" is not a finite number"
-            )));
-        }
+        check_paper(self.drawing.width / PER_MM, self.drawing.height / PER_MM)?;
         Ok(&self.drawing)
     }
 
@@ -148,12 +124,9 @@ impl DrawingSheet {
     pub fn to_svg(&self) -> Result<String> {
         Ok(self.drawing()?.to_svg())
     }
-}
 
-#[cfg(feature = "png")]
-impl DrawingSheet {
     /// Another drawing with its upper left corner at a place, so many times as large.
-    pub(crate) fn embed(&mut self, drawing: &Drawing, at: [f64; 2], scale: f64) {
+    pub fn embed(&mut self, drawing: &Drawing, at: [f64; 2], scale: f64) {
         let item = Item::Group(self.place(at), scale, drawing.items.clone());
         self.push(item);
     }

@@ -1,7 +1,7 @@
 //! A drawing as SVG text.
 
 use crate::{
-    drawing::{Anchor, Cap, Colour, Drawing, Item, PALE, Paint, Shape, Text},
+    drawing::{Anchor, Colour, Drawing, Item, PALE, Paint, Shape, Text},
     font::FAMILY,
     rect::{PER_MM, Spot},
 };
@@ -24,41 +24,29 @@ impl Drawing {
         let h = n(self.height);
         let mut out = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" \
-             viewBox=\"0 0 {w} {h}\" font-family=\"{FAMILY}\" role=\"img\" aria-label=\"{}\">\n\
+             viewBox=\"0 0 {w} {h}\" font-family=\"{FAMILY}\" stroke-linecap=\"round\" stroke-linejoin=\"round\" role=\"img\" aria-label=\"{}\">\n\
              <rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n",
             n(self.width / PER_MM),
             n(self.height / PER_MM),
             markup(&self.title),
         );
-        self.items.iter().for_each(|one| item(&mut out, one, "\n"));
+        self.items.iter().for_each(|one| item(&mut out, one));
         out + "</svg>\n"
     }
 }
 
-fn item(out: &mut String, what: &Item, end: &str) {
+fn item(out: &mut String, what: &Item) {
     // Writing into a string does not fail.
     let _ = match what {
         Item::Path(shapes, paint) => {
             let data: String = shapes.iter().map(data).collect();
-            write!(out, "<path d=\"{data}\"{}/>{end}", painted(paint))
+            writeln!(out, "<path d=\"{data}\"{}/>", painted(paint))
         }
-        Item::Circle((x, y), r, paint) => {
-            let [x, y, r] = [*x, *y, *r].map(n);
-            let paint = painted(paint);
-            write!(out, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{paint}/>{end}")
-        }
-        Item::Text(words) => write!(out, "{}{end}", text(words)),
+        Item::Text(words) => writeln!(out, "{}", text(words)),
         Item::Group((x, y), scale, items) => {
-            let moved = if *scale == 1.0 {
-                String::new()
-            } else {
-                format!(" transform=\"translate({x} {y}) scale({scale})\"")
-            };
-            let is_mark = matches!(items.first(), Some(Item::Circle(..)));
-            let inner = if is_mark { "" } else { "\n" };
-            let _ = write!(out, "<g{moved}>{inner}");
-            items.iter().for_each(|one| item(out, one, inner));
-            write!(out, "</g>{end}")
+            let _ = writeln!(out, "<g transform=\"translate({x} {y}) scale({scale})\">");
+            items.iter().for_each(|one| item(out, one));
+            writeln!(out, "</g>")
         }
     };
 }
@@ -76,9 +64,10 @@ fn text(text: &Text) -> String {
         Anchor::Middle => " text-anchor=\"middle\"",
         Anchor::End => " text-anchor=\"end\"",
     };
-    let turned = text.turned_about.map_or_else(String::new, |(x, y)| {
-        format!(" transform=\"rotate(-90 {} {})\"", n(x), n(y))
-    });
+    let turned = match text.is_upright {
+        true => format!(" transform=\"rotate(-90 {x} {y})\""),
+        false => String::new(),
+    };
     let words = markup(&text.words);
     format!(
         "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\"{paint}{hidden}{anchor}{turned}>{words}\
@@ -91,35 +80,24 @@ fn hex([r, g, b]: Colour) -> String {
 }
 
 fn painted(paint: &Paint) -> String {
-    let mut fill = paint.fill.map_or_else(
+    let mut out = paint.fill.map_or_else(
         || " fill=\"none\"".to_owned(),
         |c| format!(" fill=\"{}\"", hex(c)),
     );
     if paint.is_pale {
-        let _ = write!(fill, " fill-opacity=\"{PALE}\"");
+        let _ = write!(out, " fill-opacity=\"{PALE}\"");
     }
     let Some(colour) = paint.stroke else {
-        return fill;
+        return out;
     };
     let (colour, width) = (hex(colour), n(paint.width));
-    let stroke = format!(" stroke=\"{colour}\" stroke-width=\"{width}\"");
-    let is_thin = paint.fill.is_none() && !paint.has_round_joins;
-    let mut out = if is_thin {
-        stroke + &fill
-    } else {
-        fill + &stroke
-    };
-    if paint.has_round_joins {
-        out += " stroke-linejoin=\"round\"";
-    }
-    out += match paint.cap {
-        Cap::Butt => "",
-        Cap::Round => " stroke-linecap=\"round\"",
-        Cap::Square => " stroke-linecap=\"square\"",
-    };
+    let _ = write!(out, " stroke=\"{colour}\" stroke-width=\"{width}\"");
     if !paint.dashes.is_empty() {
         let dashes = joined(paint.dashes.iter().map(|length| n(*length)), " ");
-        let _ = write!(out, " stroke-dasharray=\"{dashes}\"");
+        let _ = write!(
+            out,
+            " stroke-linecap=\"butt\" stroke-dasharray=\"{dashes}\""
+        );
     }
     out
 }
@@ -136,10 +114,6 @@ fn data(shape: &Shape) -> String {
         Shape::Square((x, y), side) => {
             let [x, y, d] = [*x, *y, *side].map(n);
             format!("M{x} {y}h{d}v{d}h-{d}Z")
-        }
-        Shape::Axes((x, y), (right, bottom)) => {
-            let [x, y, right, bottom] = [*x, *y, *right, *bottom].map(n);
-            format!("M{x} {y}V{bottom}H{right}")
         }
     }
 }

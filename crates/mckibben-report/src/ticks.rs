@@ -1,6 +1,7 @@
 //! Axis ranges and ticks at 1, 2 or 5 times a power of ten, and how numbers are written.
 
 use crate::figure::{Axis, FigureError, Result};
+use mckibben_units::tidy;
 
 /// The drawn range of an axis with its ticks.
 #[derive(Debug)]
@@ -84,7 +85,7 @@ fn best_step(low: f64, high: f64, wanted: usize, outward: bool) -> f64 {
     let mut best = (f64::INFINITY, span);
     for exponent in around - 1..=around + 1 {
         for digit in [1.0, 2.0, 5.0] {
-            let step = times_ten(digit, exponent);
+            let step = digit * 10f64.powi(exponent);
             let covered = if outward {
                 let (first, last) = outer(low, high, step);
                 (last - first) * step
@@ -121,7 +122,9 @@ fn finish(low: f64, high: f64, wanted: usize, outward: bool) -> Scale {
         ((low / step - 1e-9).ceil(), (high / step + 1e-9).floor())
     };
     let count = (last - first).clamp(0.0, 200.0) as usize;
-    let mut ticks: Vec<f64> = (0..=count).map(|i| nice(first + i as f64, step)).collect();
+    // 0.3, not 0.30000000000000004.
+    let tick = |i: usize| tidy((first + i as f64) * step, 15);
+    let mut ticks: Vec<f64> = (0..=count).map(tick).collect();
     let (low, high) = if outward {
         let from = ticks.first().copied().unwrap_or(low);
         let to = ticks.last().copied().unwrap_or(high);
@@ -142,25 +145,6 @@ fn finish(low: f64, high: f64, wanted: usize, outward: bool) -> Scale {
         labels,
         exponent,
     }
-}
-
-/// `number` × `step` without the dust of the multiplication (0.3, not 0.30000000000000004).
-fn nice(number: f64, step: f64) -> f64 {
-    let value = number * step;
-    let decimals = decimals_of(step);
-    if (0..=15).contains(&decimals) {
-        format!("{value:.*}", decimals as usize)
-            .parse()
-            .unwrap_or(value)
-    } else {
-        value
-    }
-}
-
-fn times_ten(digit: f64, exponent: i32) -> f64 {
-    format!("{digit}e{exponent}")
-        .parse()
-        .unwrap_or(digit * 10f64.powi(exponent))
 }
 
 /// Decimals needed to write a 1-2-5 step (negative for steps of ten and more).
@@ -205,17 +189,4 @@ pub fn power_text(exponent: i32) -> String {
         .chars()
         .map(|c| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]));
     "×10".chars().chain(raised).collect()
-}
-
-/// A value with six significant digits, in the plain form machines read too.
-pub fn number(value: f64) -> String {
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    let size = rounded.abs();
-    if size == 0.0 {
-        "0".to_owned()
-    } else if (1e-4..1e9).contains(&size) {
-        format!("{rounded}")
-    } else {
-        format!("{rounded:e}")
-    }
 }

@@ -7,12 +7,11 @@ use mckibben_build::{
 use mckibben_core::{
     analysis::{FailureMode, PressureLimits, STRETCH},
     built::{Left, Measurement},
-    clean,
     muscle::{Direction, EndsMade, Muscle, file::parse_muscle},
     units::Dimension,
 };
 
-fn pull(pressure_mpa: f64, contraction: f64, force_n: f64) -> PullAt {
+pub fn pull(pressure_mpa: f64, contraction: f64, force_n: f64) -> PullAt {
     PullAt {
         pressure_mpa,
         contraction,
@@ -23,7 +22,7 @@ fn pull(pressure_mpa: f64, contraction: f64, force_n: f64) -> PullAt {
 }
 
 /// What a model could have found of a muscle: the ideal one at 28°, nearly.
-fn operating(muscle: &Muscle, pressure_mpa: f64) -> Operating {
+pub fn operating(muscle: &Muscle, pressure_mpa: f64) -> Operating {
     let d0 = muscle.outer_diameter_mm();
     Operating {
         model: "test".into(),
@@ -43,6 +42,7 @@ fn operating(muscle: &Muscle, pressure_mpa: f64) -> Operating {
             allowed_pressure_mpa: Some(0.3),
             ..PressureLimits::default()
         },
+        strained_mpa: None,
         pulls: vec![PullAt {
             required_n: Some(20.0),
             ..pull(pressure_mpa, 0.1, 25.0)
@@ -68,7 +68,7 @@ fn operating(muscle: &Muscle, pressure_mpa: f64) -> Operating {
     }
 }
 
-fn plan_from(text: &str, wishes: &Wishes) -> Plan {
+pub fn plan_from(text: &str, wishes: &Wishes) -> Plan {
     let muscle = parse_muscle(text).unwrap();
     let operating = operating(&muscle, 0.25);
     Plan::new(muscle, operating, wishes).unwrap()
@@ -191,67 +191,6 @@ fn one_datum_that_a_ruler_reaches_is_in_every_file() {
     assert!(drawing(&plan).to_svg().unwrap().contains(" 224"));
 }
 
-/// By hand: P·A of the bore alone is what a free muscle puts on its ends; held it pulls too. 0.5 MPa on
-/// a bore of 7 mm are 19.24 N, 300 N with it 319.24 N; in use 165 N and 0.275 MPa are 175.58 N,
-/// stretched 175 N and 185.58 N: 1.818 and 1.720 times.
-#[test]
-fn by_hand_the_proof_test_loads_the_ends_with_the_stretched_muscle() {
-    let plan = plan_of(10.0, 1.5, &Wishes::default());
-    let loads = plan.loads;
-    for (is, should) in [
-        (loads.proof_end_load_n, 319.242),
-        (loads.end_load_n, 175.583),
-        (loads.proof_to_use, 1.818),
-        (loads.proof_to_stretched, 1.720),
-    ] {
-        assert!((is - should).abs() < 1e-3, "{is} {should}");
-    }
-    let warnings = plan.warnings().join("\n");
-    for said in [
-        "NOT INCLUDE the ends",
-        "176 N in use",
-        "1.82 times as much",
-        "1.72 times",
-    ] {
-        assert!(warnings.contains(said), "{said}: {warnings}");
-    }
-    // 200 mm and 12 mm on each plug, stretched by 4 mm.
-    let paper = paper(&plan).to_html("").unwrap();
-    let (steps, record) = paper.split_once("<h2>Record").unwrap();
-    assert!(steps.contains("228 mm") && record.contains("228 mm"));
-}
-
-/// A proof that the burst pressure lowers to 1.19 times the load in use is refused with the pressure
-/// that would give 1.2; one at 1.2 is not, nor one at twice the working pressure.
-#[test]
-fn a_proof_that_says_little_of_the_ends_is_refused() {
-    let plan = |proof_mpa: f64, times: f64| {
-        let muscle = parse_muscle("[braid]\nangle = 30\n").unwrap();
-        let mut operating = operating(&muscle, 0.25);
-        let pulled = |mpa: f64, load_n: f64| {
-            let bore_n = mckibben_core::analysis::burst::ends::clamp_load_n(&muscle, 0.0, mpa);
-            pull(mpa, -STRETCH, load_n - bore_n)
-        };
-        operating.in_use = pulled(0.275, 1000.0);
-        operating.stretched = operating.in_use;
-        operating.proof = pulled(proof_mpa, times * 1000.0);
-        Plan::new(muscle, operating, &Wishes::default())
-    };
-    let refused = plan(0.3, 1.19).unwrap_err();
-    assert_eq!(refused.fields, ["pressure_mpa"], "{refused}");
-    // By hand 0.25 · 1.19/1.2 = 0.2479.
-    assert!(refused.message.contains("work at 0.24 MPa"), "{refused}");
-    // Above 1.2 it is said up to 1.5: 0.25 · 1.201/1.5 = 0.2002.
-    let said = |plan: Plan| plan.warnings().join("\n");
-    let little = said(plan(0.3, 1.201).unwrap());
-    assert!(
-        little.contains("less than 1.5; work at 0.2 MPa"),
-        "{little}"
-    );
-    assert!(!said(plan(0.3, 1.501).unwrap()).contains("less than"));
-    assert!(!said(plan(0.5, 1.19).unwrap()).contains("less than"));
-}
-
 /// 6.35 mm and 5 % are 6.6675 mm: rounded to a tenth it would lie 0.03 mm off, of 0.05 mm that are
 /// allowed.
 #[test]
@@ -371,21 +310,6 @@ fn texts_of_others_are_plain_in_the_readme() {
     }
 }
 
-#[test]
-fn a_muscle_that_no_clamp_holds_is_refused() {
-    let plan = |insertion_mm: f64| {
-        let text = format!("[terminals]\ninsertion = {insertion_mm}\n");
-        let muscle = parse_muscle(&text).unwrap();
-        let operating = operating(&muscle, 0.25);
-        Plan::new(muscle, operating, &Wishes::default())
-    };
-    assert!(plan(40.0).is_ok());
-    let refused = plan(2.9).unwrap_err();
-    assert_eq!(refused.fields, ["insertion_mm"], "{refused}");
-    let refused = plan(20.0).unwrap_err();
-    assert_eq!(refused.fields, ["insertion_mm"], "{refused}");
-}
-
 /// A muscle that extends is a column: at rest without pressure its wall buckles at π² E I/L² with
 /// E I = 3 μ π (Ro⁴ − Ri⁴)/4, 1.27 N here, and the sheet says it, with half of it as what is allowed.
 #[test]
@@ -459,7 +383,7 @@ fn all_papers_have_the_units_of_the_user() {
 }
 
 /// All texts of a folder; papers as pages and drawings as SVG, which they are without PDF.
-fn texts(plan: &Plan) -> Vec<(String, String)> {
+pub fn texts(plan: &Plan) -> Vec<(String, String)> {
     let mut all: Vec<(String, String)> = files(plan)
         .unwrap()
         .into_iter()
@@ -642,63 +566,19 @@ fn no_end_of_the_six_fails_its_proof_by_its_own_estimate() {
 }
 
 /// The mould of README's winner by hand: a tube of 313.6 mm in a pipe of 354 mm, vents 14 mm below
-/// its end, so 332 mm of rubber above the cap: 1.2 π (44² − 40²) 332 = 420 530 mm³, eight syringes;
-/// 12 · 20 · 0.332/(1080 · 9.80665 · 16e-6) = 470 s, 7.8 of 45 minutes.
+/// its end, so 332 mm of rubber above the cap: 1.2 π (44² − 40²) 332 = 420 530 mm³, eight syringes.
 #[test]
-fn by_hand_the_mould_has_room_for_its_rubber_and_time_to_fill() {
+fn by_hand_the_mould_has_room_for_its_rubber() {
     let sheet = texts(&one_of_six(SIX[0]));
     let sheet = &sheet.iter().find(|f| f.0 == "build.html").unwrap().1;
     for said in [
         "Mix 421 mL",
         "8 fillings",
         "flows for 45 min",
-        "takes 7.8 min",
         "upright for 16 h",
         "340 mm above it",
     ] {
         assert!(sheet.contains(said), "{said}");
-    }
-}
-
-/// The liquid of a job is written and read back, and bleeds and tests the muscle as `liquid` does.
-#[test]
-fn a_muscle_whose_job_names_a_liquid_is_built_for_it() {
-    let plan = |job: &str| {
-        let text = format!("[tube]\nouter_diameter = 10\nwall_thickness = 1.5\n[job]\n{job}");
-        plan_from(&text, &Wishes::default())
-    };
-    let wet = plan("pressure = \"2.5 bar\"\nliquid = \"water\"\n");
-    assert!(wet.liquid && wet.eye_plug.port.is_some());
-    let text = mckibben_core::muscle::file::to_toml(&wet.muscle);
-    let job = parse_muscle(&text).unwrap().job().unwrap().clone();
-    assert_eq!(job.liquid.as_deref(), Some("water"));
-    let dry = plan("pressure = \"2.5 bar\"\n");
-    assert!(!dry.liquid && dry.eye_plug.port.is_none());
-}
-
-/// An end that slips flies off whatever fills the muscle: rubber and strands store energy too. Only
-/// what is in it is spoken of.
-#[test]
-fn the_first_page_speaks_of_what_fills_the_muscle_and_of_the_line_of_fire() {
-    for liquid in [false, true] {
-        let wishes = Wishes {
-            liquid,
-            ..Wishes::default()
-        };
-        let plan = plan_of(10.0, 1.5, &wishes);
-        assert_eq!(plan.safety.air_energy_j.is_none(), liquid);
-        let (_, readme) = texts(&plan)
-            .into_iter()
-            .find(|(name, _)| name == "README.md")
-            .unwrap();
-        for said in [
-            "keep everyone out of the line of the muscle",
-            &clean::markdown(&plan.energy()),
-        ] {
-            assert!(readme.contains(said), "{liquid}: {readme}");
-        }
-        assert_eq!(readme.contains("the air stores"), !liquid, "{readme}");
-        assert_eq!(readme.contains("bleed it"), liquid, "{readme}");
     }
 }
 

@@ -5,3 +5,4 @@
 mod by_hand;
 mod files;
 mod plugs;
+mod proof;

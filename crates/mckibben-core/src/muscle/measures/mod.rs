@@ -9,6 +9,8 @@
 //! and what can be identified from measured points. Relations between measures (a wall thinner than
 //! the radius) are in the parts.
 
+#[macro_use]
+mod fields;
 mod table;
 mod values;
 
@@ -144,6 +146,21 @@ impl Identify {
         limit: None,
         share: 0.5,
         is_geometry: false,
+    };
+
+    /// Of a measure that is sought from a number on, within bounds.
+    const fn from(start: f64, bounds: (f64, f64)) -> Self {
+        Self {
+            start: Some(start),
+            bounds,
+            ..Self::UNKNOWN
+        }
+    }
+
+    /// Of a size of the muscle.
+    const GEOMETRY: Self = Self {
+        is_geometry: true,
+        ..Self::UNKNOWN
     };
 
     /// Start of the search for a muscle that does not state it.

@@ -1,42 +1,18 @@
 //! The table: every measure, and how it is read from and written to the parts of a muscle.
 
-use super::{Bounds::*, Identify, Measure, Scale};
+use super::{
+    Bounds::*,
+    Identify, Measure, Scale,
+    fields::{crimp, friction, measured, power_law, strands},
+};
 use crate::{
-    muscle::{BraidStiffness, Crimp, EndFactor, Friction, MeasuredStrand, Parts, Strands},
+    muscle::{BraidStiffness, EndFactor},
     units::Dimension::*,
 };
 
-/// A measure that stands in a field of a part, by the path of the field.
-macro_rules! stated {
-    ($($field:ident).+) => {
-        Measure {
-            get: |p| Some(p.$($field).+),
-            set: |p, v| p.$($field).+ = v,
-            ..Measure::NONE
-        }
-    };
-}
-
-/// The same of a field that may be none.
-macro_rules! optional {
-    ($($field:ident).+) => {
-        Measure {
-            get: |p| p.$($field).+,
-            set: |p, v| p.$($field).+ = Some(v),
-            ..Measure::NONE
-        }
-    };
-}
-
-/// Every measure by its name, and the list of them: fields of requests are in its order, keys of a
-/// muscle file in its order within their table.
-macro_rules! measures {
-    ($($(#[$symbol:meta])* $name:ident { $($of:tt)* })*) => {
-        /// All of them.
-        pub static MEASURES: &[&Measure] = &[$(&$name),*];
-        $($(#[$symbol])* pub static $name: Measure = Measure { $($of)* };)*
-    };
-}
+/// What measures that stand together say where one is missing.
+const BOTH_OF_STRAND: &str = "a strand measured on the muscle has both its length and its turns";
+const BOTH_OF_FRICTION: &str = "friction is C·P^β: coefficient C in N/MPa^β and exponent β";
 
 measures! {
     /// D0
@@ -50,8 +26,7 @@ measures! {
         dimension: Length,
         identify: Some(Identify {
             share: 0.1,
-            is_geometry: true,
-            ..Identify::UNKNOWN
+            ..Identify::GEOMETRY
         }),
         ..stated!(tube.outer_diameter_mm)
     }
@@ -68,8 +43,7 @@ measures! {
         identify: Some(Identify {
             scale: Scale::Diameter,
             bounds: (0.0, 0.5),
-            is_geometry: true,
-            ..Identify::UNKNOWN
+            ..Identify::GEOMETRY
         }),
         ..stated!(tube.wall_mm)
     }
@@ -84,10 +58,7 @@ measures! {
         comment: "between the terminals",
         short: Some('L'),
         dimension: Length,
-        identify: Some(Identify {
-            is_geometry: true,
-            ..Identify::UNKNOWN
-        }),
+        identify: Some(Identify::GEOMETRY),
         ..stated!(tube.length_mm)
     }
 
@@ -119,14 +90,10 @@ measures! {
         digested: true,
         identify: Some(Identify {
             also: &["prestretch"],
-            start: Some(1.02),
-            bounds: (0.5, 2.0),
             limit: Some(0.05),
-            ..Identify::UNKNOWN
+            ..Identify::from(1.02, (0.5, 2.0))
         }),
-        get: |p| Some(p.tube.prestretch).filter(|v| *v != 1.0),
-        set: |p, v| p.tube.prestretch = v,
-        ..Measure::NONE
+        ..changed!(1.0, tube.prestretch)
     }
 
     /// T
@@ -159,8 +126,7 @@ measures! {
         identify: Some(Identify {
             bounds: (1.0, 54.23561031724535),
             limit: Some(3.0),
-            is_geometry: true,
-            ..Identify::UNKNOWN
+            ..Identify::GEOMETRY
         }),
         ..stated!(braid.angle_deg)
     }
@@ -192,9 +158,7 @@ measures! {
         identify: Some(Identify {
             also: &["seating"],
             scale: Scale::Length,
-            start: Some(0.002),
-            bounds: (0.0, 0.2),
-            ..Identify::UNKNOWN
+            ..Identify::from(0.002, (0.0, 0.2))
         }),
         ..optional!(terminals.seating_mm)
     }
@@ -214,9 +178,7 @@ measures! {
         identify: Some(Identify {
             also: &["slip"],
             scale: Scale::LengthPerPull,
-            start: Some(0.002),
-            bounds: (0.0, 0.2),
-            ..Identify::UNKNOWN
+            ..Identify::from(0.002, (0.0, 0.2))
         }),
         ..optional!(terminals.slip_mm_per_n)
     }
@@ -236,9 +198,7 @@ measures! {
         identify: Some(Identify {
             also: &["grip"],
             scale: Scale::Length,
-            start: Some(0.005),
-            bounds: (0.0, 0.2),
-            ..Identify::UNKNOWN
+            ..Identify::from(0.005, (0.0, 0.2))
         }),
         ..optional!(terminals.grip_mm)
     }
@@ -259,10 +219,8 @@ measures! {
         identify: Some(Identify {
             also: &["plug-diameter"],
             scale: Scale::Bore,
-            start: Some(1.0),
-            bounds: (0.5, 2.0),
             share: 0.1,
-            ..Identify::UNKNOWN
+            ..Identify::from(1.0, (0.5, 2.0))
         }),
         ..optional!(terminals.plug_diameter_mm)
     }
@@ -339,9 +297,7 @@ measures! {
         has_rules: true,
         bounds: Between(1.0, 10.0),
         default: Some(1.0),
-        get: |p| Some(p.braid.stiffness_factor).filter(|v| *v != 1.0),
-        set: |p, v| p.braid.stiffness_factor = v,
-        ..Measure::NONE
+        ..changed!(1.0, braid.stiffness_factor)
     }
 
     /// N
@@ -384,9 +340,7 @@ measures! {
         comment: "of one strand",
         dimension: Area,
         has_rules: true,
-        get: |p| p.braid.strands?.area_mm2,
-        set: |p, v| strands(p).area_mm2 = Some(v),
-        ..Measure::NONE
+        ..of_strand!(area_mm2)
     }
 
     /// E of the strands; its flag is beside those of named sleeves
@@ -398,9 +352,7 @@ measures! {
         about: "Young's modulus E of the strands",
         dimension: Pressure,
         has_rules: true,
-        get: |p| p.braid.strands?.modulus_mpa,
-        set: |p, v| strands(p).modulus_mpa = Some(v),
-        ..Measure::NONE
+        ..of_strand!(modulus_mpa)
     }
 
     /// Strength of one strand
@@ -412,9 +364,7 @@ measures! {
         comment: "force at which one strand breaks",
         dimension: Force,
         has_rules: true,
-        get: |p| p.braid.strands?.strength_n,
-        set: |p, v| strands(p).strength_n = Some(v),
-        ..Measure::NONE
+        ..of_strand!(strength_n)
     }
 
     /// Factor of the strength of the strands
@@ -455,11 +405,7 @@ measures! {
         comment: "measured on the muscle, rounded ends included",
         dimension: Length,
         models: &["belforte"],
-        beside: Some((
-            &TURNS,
-            "a strand measured on the muscle has both its length and its \
-            turns",
-        )),
+        beside: Some((&TURNS, BOTH_OF_STRAND)),
         get: |p| Some(p.braid.measured?.strand_length_mm),
         set: |p, v| measured(p).strand_length_mm = v,
         ..Measure::NONE
@@ -473,11 +419,7 @@ measures! {
         label: "measured turns of a strand",
         about: "Turns of that strand",
         models: &["belforte"],
-        beside: Some((
-            &STRAND_LENGTH,
-            "a strand measured on the muscle has both its length \
-            and its turns",
-        )),
+        beside: Some((&STRAND_LENGTH, BOTH_OF_STRAND)),
         get: |p| Some(p.braid.measured?.turns),
         set: |p, v| measured(p).turns = v,
         ..Measure::NONE
@@ -498,10 +440,8 @@ measures! {
         digested: true,
         identify: Some(Identify {
             also: &["take-up"],
-            start: Some(0.02),
-            bounds: (0.0, 0.2),
             limit: Some(0.02),
-            ..Identify::UNKNOWN
+            ..Identify::from(0.02, (0.0, 0.2))
         }),
         ..optional!(braid.take_up_mpa)
     }
@@ -520,13 +460,9 @@ measures! {
         is_shown: true,
         identify: Some(Identify {
             scale: Scale::Diameter,
-            start: Some(0.02),
-            bounds: (1e-6, 0.3),
-            ..Identify::UNKNOWN
+            ..Identify::from(0.02, (1e-6, 0.3))
         }),
-        get: |p| Some(p.braid.thickness_mm).filter(|t| *t != 0.0),
-        set: |p, v| p.braid.thickness_mm = v,
-        ..Measure::NONE
+        ..changed!(0.0, braid.thickness_mm)
     }
 
     /// Ds
@@ -542,10 +478,8 @@ measures! {
         digested: true,
         identify: Some(Identify {
             scale: Scale::Diameter,
-            start: Some(1.01),
-            bounds: (1.0, 1.5),
             share: 0.1,
-            ..Identify::UNKNOWN
+            ..Identify::from(1.01, (1.0, 1.5))
         }),
         ..optional!(braid.diameter_mm)
     }
@@ -559,11 +493,7 @@ measures! {
         about: "Strain c1 at which the strands are straight",
         comment: "strain at which the strands are straight",
         is_shown: true,
-        identify: Some(Identify {
-            start: Some(0.005),
-            bounds: (1e-6, 0.1),
-            ..Identify::UNKNOWN
-        }),
+        identify: Some(Identify::from(0.005, (1e-6, 0.1))),
         is_share: true,
         get: |p| Some(p.braid.crimp?.strain),
         set: |p, v| crimp(p).strain = v,
@@ -598,11 +528,7 @@ measures! {
         comment: "C in N/MPa^β: half-width C·P^β of the hysteresis",
         unit: Some("N/MPa^β"),
         bounds: NotNegative,
-        beside: Some((
-            &FRICTION_EXPONENT,
-            "friction is C·P^β: coefficient C in N/MPa^β and exponent \
-            β",
-        )),
+        beside: Some((&FRICTION_EXPONENT, BOTH_OF_FRICTION)),
         identify: Some(Identify {
             also: &["friction.c"],
             ..Identify::UNKNOWN
@@ -621,17 +547,11 @@ measures! {
         about: "Exponent β of the friction C·P^β",
         comment: "β",
         bounds: NotNegative,
-        beside: Some((
-            &FRICTION_COEFFICIENT,
-            "friction is C·P^β: coefficient C in N/MPa^β and \
-            exponent β",
-        )),
+        beside: Some((&FRICTION_COEFFICIENT, BOTH_OF_FRICTION)),
         identify: Some(Identify {
             also: &["friction.beta"],
-            start: Some(0.6),
-            bounds: (0.0, 3.0),
             limit: Some(0.5),
-            ..Identify::UNKNOWN
+            ..Identify::from(0.6, (0.0, 3.0))
         }),
         get: |p| Some(power_law(p)?.exponent),
         set: |p, v| friction(p).exponent = v,
@@ -668,42 +588,9 @@ measures! {
         dimension: Length,
         default: Some(0.5),
         is_shown: true,
-        identify: Some(Identify {
-            start: Some(0.5),
-            bounds: (0.001, 100.0),
-            ..Identify::UNKNOWN
-        }),
+        identify: Some(Identify::from(0.5, (0.001, 100.0))),
         get: |p| p.friction?.presliding_mm,
         set: |p, v| friction(p).presliding_mm = Some(v),
         ..Measure::NONE
     }
-}
-
-fn strands(p: &mut Parts) -> &mut Strands {
-    p.braid.strands.get_or_insert(Strands::new(0, None, None))
-}
-
-fn measured(p: &mut Parts) -> &mut MeasuredStrand {
-    p.braid.measured.get_or_insert(MeasuredStrand {
-        strand_length_mm: 0.0,
-        turns: 0.0,
-    })
-}
-
-fn crimp(p: &mut Parts) -> &mut Crimp {
-    p.braid.crimp.get_or_insert(Crimp {
-        strain: 0.0,
-        stiffness_ratio: Crimp::STIFFNESS_RATIO,
-    })
-}
-
-fn friction(p: &mut Parts) -> &mut Friction {
-    p.friction.get_or_insert(Friction::power_law(0.0, 0.0))
-}
-
-/// The part C·P^β, where it is stated.
-fn power_law(p: &Parts) -> Option<&Friction> {
-    p.friction
-        .as_ref()
-        .filter(|f| f.coefficient != 0.0 || f.exponent != 0.0 || f.lever_mm == 0.0)
 }
