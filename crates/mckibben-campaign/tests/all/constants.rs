@@ -11,10 +11,7 @@
 
 use mckibben_campaign::fit::Method;
 use mckibben_campaign::fit::{
-    data::{
-        CONTRACTIONS, DIAMETERS, FULL_PRESSURE, FitPoint, Grid, PRESSURES, WALLS,
-        same,
-    },
+    data::{CONTRACTIONS, DIAMETERS, FULL_PRESSURE, FitPoint, Grid, PRESSURES, WALLS, same},
     errors::{ForceScales, errors},
     fitted,
 };

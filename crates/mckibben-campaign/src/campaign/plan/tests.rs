@@ -365,12 +365,16 @@ fn every_measure_of_a_muscle_varies() {
             ),
             _ => (Muscle::prototype(), ""),
         };
-        let value = measure
-            .identify
-            .as_ref()
-            .and_then(|i| i.start(&base))
-            .or(base.measure(measure))
-            .or(measure.default);
+        let within = match measure.key {
+            "tube.prestretch" => Some(1.02),
+            "terminals.plug_diameter" => Some(base.inner_diameter_mm()),
+            "braid.diameter" => Some(1.01 * base.outer_diameter_mm()),
+            "braid.thickness" => Some(0.6),
+            "braid.crimp" => Some(0.005),
+            "braid.take_up" => Some(0.02),
+            _ => measure.identify.as_ref().and_then(|i| i.start(&base)),
+        };
+        let value = within.or(base.measure(measure)).or(measure.default);
         let Some(value) = value else { continue };
         let text = format!(
             "{stated}[vary]\n{} = [{value}, {}]\n{TEST}",

@@ -72,8 +72,8 @@ pub struct ThickWall {
     sin2: f64,
     cos2: f64,
     /// k of one family; `None`: inextensible
-    k: Option<f64>,
-    compression: bool,
+    pub(super) k: Option<f64>,
+    pub(super) compression: bool,
 }
 
 impl ThickWall {
@@ -143,16 +143,6 @@ impl ThickWall {
     /// (sin²θ0, cos²θ0)
     pub(super) fn squares(&self) -> (f64, f64) {
         (self.sin2, self.cos2)
-    }
-
-    /// Stiffness of one strand family in N/mm; `None` where strands do not stretch.
-    pub(super) fn stiffness(&self) -> Option<f64> {
-        self.k
-    }
-
-    /// Whether strands carry compression.
-    pub(super) fn strands_push(&self) -> bool {
-        self.compression
     }
 
     /// Largest principal stretch of the wall at an axial stretch and outer radius.

@@ -97,9 +97,6 @@ impl Bounds {
 #[derive(Debug, Clone, Copy)]
 enum Scale {
     One,
-    /// D0
-    Diameter,
-    Bore,
     /// L0
     Length,
     /// L0 over the pull of the ideal muscle at 3 bar and rest length, the size of its pulls.
@@ -110,8 +107,6 @@ impl Scale {
     fn times(self, factor: f64, muscle: &Muscle) -> f64 {
         match self {
             Self::One => factor,
-            Self::Diameter => factor * muscle.outer_diameter_mm(),
-            Self::Bore => factor * muscle.inner_diameter_mm(),
             Self::Length => factor * muscle.length_mm(),
             Self::LengthPerPull => {
                 factor * muscle.length_mm() / Ideal::between_ends(muscle).pull(0.3, 0.0)
@@ -130,8 +125,6 @@ pub struct Identify {
     bounds: (f64, f64),
     limit: Option<f64>,
     share: f64,
-    /// Whether it is a size of the muscle, as a ruler measures it.
-    pub is_geometry: bool,
 }
 
 impl Identify {
@@ -143,7 +136,6 @@ impl Identify {
         bounds: (0.0, f64::INFINITY),
         limit: None,
         share: 0.5,
-        is_geometry: false,
     };
 
     /// Start of the search for a muscle that does not state it.

@@ -50,7 +50,6 @@ measures! {
         dimension: Length,
         identify: Some(Identify {
             share: 0.1,
-            is_geometry: true,
             ..Identify::UNKNOWN
         }),
         ..stated!(tube.outer_diameter_mm)
@@ -65,12 +64,7 @@ measures! {
         about: "Wall thickness s of the tube at rest",
         short: Some('s'),
         dimension: Length,
-        identify: Some(Identify {
-            scale: Scale::Diameter,
-            bounds: (0.0, 0.5),
-            is_geometry: true,
-            ..Identify::UNKNOWN
-        }),
+        identify: Some(Identify::UNKNOWN),
         ..stated!(tube.wall_mm)
     }
 
@@ -84,10 +78,7 @@ measures! {
         comment: "between the terminals",
         short: Some('L'),
         dimension: Length,
-        identify: Some(Identify {
-            is_geometry: true,
-            ..Identify::UNKNOWN
-        }),
+        identify: Some(Identify::UNKNOWN),
         ..stated!(tube.length_mm)
     }
 
@@ -119,9 +110,6 @@ measures! {
         digested: true,
         identify: Some(Identify {
             also: &["prestretch"],
-            start: Some(1.02),
-            bounds: (0.5, 2.0),
-            limit: Some(0.05),
             ..Identify::UNKNOWN
         }),
         get: |p| Some(p.tube.prestretch).filter(|v| *v != 1.0),
@@ -159,7 +147,6 @@ measures! {
         identify: Some(Identify {
             bounds: (1.0, 54.23561031724535),
             limit: Some(3.0),
-            is_geometry: true,
             ..Identify::UNKNOWN
         }),
         ..stated!(braid.angle_deg)
@@ -258,10 +245,6 @@ measures! {
         digested: true,
         identify: Some(Identify {
             also: &["plug-diameter"],
-            scale: Scale::Bore,
-            start: Some(1.0),
-            bounds: (0.5, 2.0),
-            share: 0.1,
             ..Identify::UNKNOWN
         }),
         ..optional!(terminals.plug_diameter_mm)
@@ -304,7 +287,6 @@ measures! {
         identify: Some(Identify {
             also: &["end-factor"],
             start: Some(1.0),
-            share: 0.2,
             ..Identify::UNKNOWN
         }),
         get: |p| p.terminals.end_factor.map(|k| k.at(0.0)),
@@ -498,9 +480,6 @@ measures! {
         digested: true,
         identify: Some(Identify {
             also: &["take-up"],
-            start: Some(0.02),
-            bounds: (0.0, 0.2),
-            limit: Some(0.02),
             ..Identify::UNKNOWN
         }),
         ..optional!(braid.take_up_mpa)
@@ -518,12 +497,7 @@ measures! {
         bounds: NotNegative,
         default: Some(0.0),
         is_shown: true,
-        identify: Some(Identify {
-            scale: Scale::Diameter,
-            start: Some(0.02),
-            bounds: (1e-6, 0.3),
-            ..Identify::UNKNOWN
-        }),
+        identify: Some(Identify::UNKNOWN),
         get: |p| Some(p.braid.thickness_mm).filter(|t| *t != 0.0),
         set: |p, v| p.braid.thickness_mm = v,
         ..Measure::NONE
@@ -540,13 +514,7 @@ measures! {
         dimension: Length,
         is_shown: true,
         digested: true,
-        identify: Some(Identify {
-            scale: Scale::Diameter,
-            start: Some(1.01),
-            bounds: (1.0, 1.5),
-            share: 0.1,
-            ..Identify::UNKNOWN
-        }),
+        identify: Some(Identify::UNKNOWN),
         ..optional!(braid.diameter_mm)
     }
 
@@ -559,11 +527,7 @@ measures! {
         about: "Strain c1 at which the strands are straight",
         comment: "strain at which the strands are straight",
         is_shown: true,
-        identify: Some(Identify {
-            start: Some(0.005),
-            bounds: (1e-6, 0.1),
-            ..Identify::UNKNOWN
-        }),
+        identify: Some(Identify::UNKNOWN),
         is_share: true,
         get: |p| Some(p.braid.crimp?.strain),
         set: |p, v| crimp(p).strain = v,
