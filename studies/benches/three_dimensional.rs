@@ -70,7 +70,7 @@ fn all(c: &mut Criterion) {
         b.iter(|| large.factorise_assembled().unwrap());
     });
     group.bench_function("one answer afresh, the program's mesh", |b| {
-        let model = ThreeDimensional::between_ends(&Muscle::prototype()).unwrap();
+        let model = ThreeDimensional::between_ends_with(&Muscle::prototype(), &BrickSpec::default()).unwrap();
         b.iter(|| black_box(model.force_n(&mut Workspace::new(), 0.25, 0.10).unwrap()));
     });
     group.finish();
