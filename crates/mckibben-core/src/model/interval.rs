@@ -17,7 +17,12 @@ pub struct RangeViolation {
 
 impl RangeViolation {
     /// That of a value that lies outside of its bounds by more than `slack`.
-    pub fn of(quantity: Quantity, bounds: (f64, f64), value: f64, slack: f64) -> Option<Self> {
+    pub(crate) fn of(
+        quantity: Quantity,
+        bounds: (f64, f64),
+        value: f64,
+        slack: f64,
+    ) -> Option<Self> {
         let inside = value >= bounds.0 - slack && value <= bounds.1 + slack;
         (!inside).then_some(Self {
             quantity,

@@ -28,7 +28,7 @@ pub use equilibrium::State;
 
 use super::{Accuracy, ModelEntry, ModelInfo, Reference, Result, Wall, notes};
 use crate::{
-    muscle::{Crimp, EndFactor, Muscle},
+    muscle::{Crimp, Muscle},
     rubber::Law,
 };
 
@@ -176,12 +176,12 @@ impl ThickWall {
         match self.info.muscle.terminals().end_factor {
             None => (1.0 - contraction, -1.0, 0.0),
             Some(k) => {
-                let slope = if matches!(k, EndFactor::Constant(_)) {
-                    0.0
-                } else {
-                    -k.slope(p) * contraction
-                };
-                (1.0 - k.at(p) * contraction, -k.at(p), slope)
+                let factor = k.at(p);
+                (
+                    1.0 - factor * contraction,
+                    -factor,
+                    -k.slope(p) * contraction,
+                )
             }
         }
     }

@@ -6,13 +6,20 @@ use crate::{
     units::Dimension::*,
 };
 
-/// A measure that stands in a field of a part, by the path of the field.
+/// A measure that stands in a field of a part, by the path of the field; not stated where the field
+/// has its usual value.
 macro_rules! stated {
     ($($field:ident).+) => {
         Measure {
             get: |p| Some(p.$($field).+),
             set: |p, v| p.$($field).+ = v,
             ..Measure::NONE
+        }
+    };
+    ($($field:ident).+, unless $usual:literal) => {
+        Measure {
+            get: |p| Some(p.$($field).+).filter(|v| *v != $usual),
+            ..stated!($($field).+)
         }
     };
 }
@@ -112,9 +119,7 @@ measures! {
             also: &["prestretch"],
             ..Identify::UNKNOWN
         }),
-        get: |p| Some(p.tube.prestretch).filter(|v| *v != 1.0),
-        set: |p, v| p.tube.prestretch = v,
-        ..Measure::NONE
+        ..stated!(tube.prestretch, unless 1.0)
     }
 
     /// T
@@ -321,9 +326,7 @@ measures! {
         has_rules: true,
         bounds: Between(1.0, 10.0),
         default: Some(1.0),
-        get: |p| Some(p.braid.stiffness_factor).filter(|v| *v != 1.0),
-        set: |p, v| p.braid.stiffness_factor = v,
-        ..Measure::NONE
+        ..stated!(braid.stiffness_factor, unless 1.0)
     }
 
     /// N
@@ -437,11 +440,7 @@ measures! {
         comment: "measured on the muscle, rounded ends included",
         dimension: Length,
         models: &["belforte"],
-        beside: Some((
-            &TURNS,
-            "a strand measured on the muscle has both its length and its \
-            turns",
-        )),
+        beside: Some((&TURNS, MEASURED_STRAND)),
         get: |p| Some(p.braid.measured?.strand_length_mm),
         set: |p, v| measured(p).strand_length_mm = v,
         ..Measure::NONE
@@ -455,11 +454,7 @@ measures! {
         label: "measured turns of a strand",
         about: "Turns of that strand",
         models: &["belforte"],
-        beside: Some((
-            &STRAND_LENGTH,
-            "a strand measured on the muscle has both its length \
-            and its turns",
-        )),
+        beside: Some((&STRAND_LENGTH, MEASURED_STRAND)),
         get: |p| Some(p.braid.measured?.turns),
         set: |p, v| measured(p).turns = v,
         ..Measure::NONE
@@ -498,9 +493,7 @@ measures! {
         default: Some(0.0),
         is_shown: true,
         identify: Some(Identify::UNKNOWN),
-        get: |p| Some(p.braid.thickness_mm).filter(|t| *t != 0.0),
-        set: |p, v| p.braid.thickness_mm = v,
-        ..Measure::NONE
+        ..stated!(braid.thickness_mm, unless 0.0)
     }
 
     /// Ds
@@ -562,11 +555,7 @@ measures! {
         comment: "C in N/MPa^β: half-width C·P^β of the hysteresis",
         unit: Some("N/MPa^β"),
         bounds: NotNegative,
-        beside: Some((
-            &FRICTION_EXPONENT,
-            "friction is C·P^β: coefficient C in N/MPa^β and exponent \
-            β",
-        )),
+        beside: Some((&FRICTION_EXPONENT, POWER_LAW)),
         identify: Some(Identify {
             also: &["friction.c"],
             ..Identify::UNKNOWN
@@ -585,11 +574,7 @@ measures! {
         about: "Exponent β of the friction C·P^β",
         comment: "β",
         bounds: NotNegative,
-        beside: Some((
-            &FRICTION_COEFFICIENT,
-            "friction is C·P^β: coefficient C in N/MPa^β and \
-            exponent β",
-        )),
+        beside: Some((&FRICTION_COEFFICIENT, POWER_LAW)),
         identify: Some(Identify {
             also: &["friction.beta"],
             start: Some(0.6),
@@ -642,6 +627,9 @@ measures! {
         ..Measure::NONE
     }
 }
+
+const MEASURED_STRAND: &str = "a strand measured on the muscle has both its length and its turns";
+const POWER_LAW: &str = "friction is C·P^β: coefficient C in N/MPa^β and exponent β";
 
 fn strands(p: &mut Parts) -> &mut Strands {
     p.braid.strands.get_or_insert(Strands::new(0, None, None))
