@@ -7009,8 +7009,7 @@ class Options(TypedDict, total=False):
         muscle, or else estimated.
     mesh
         Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
-        (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
-        behind.
+        (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic behind.
     match
         Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
     terminal
@@ -8036,8 +8035,7 @@ class MuscleCommands:
             muscle, or else estimated.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
-            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
-            behind.
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic behind.
         match
             Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
         terminal
@@ -8114,8 +8112,7 @@ class MuscleCommands:
             In these files only the eighth of the muscle that `fe3d` computes; `fe` always gives the whole muscle.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
-            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
-            behind.
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic behind.
         match
             Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
         terminal
@@ -8169,8 +8166,7 @@ class MuscleCommands:
             Contraction ratio ε = ΔL/L0; default 0.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
-            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
-            behind.
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic behind.
         match
             Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
         terminal
@@ -8253,8 +8249,7 @@ class MuscleCommands:
             muscle, or else estimated.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
-            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
-            behind.
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic behind.
         match
             Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
         terminal
@@ -8319,8 +8314,7 @@ class MuscleCommands:
             muscle, or else estimated.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
-            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
-            behind.
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic behind.
         match
             Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
         terminal
@@ -8387,8 +8381,7 @@ class MuscleCommands:
             Contraction ratios ΔL/L0, likewise [0..0.2:0.01].
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
-            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
-            behind.
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic behind.
         match
             Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
         terminal
@@ -8455,8 +8448,7 @@ class MuscleCommands:
             muscle, or else estimated.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
-            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
-            behind.
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic behind.
         match
             Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
         terminal
@@ -8603,8 +8595,7 @@ class MuscleCommands:
             Length of a rope or rod between the muscle and what it pulls [0]. Lengths of the files are those of both.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
-            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
-            behind.
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic behind.
         match
             Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
         terminal
@@ -8680,8 +8671,7 @@ class JointCommands:
             Leave out P′ of the muscles, the pressures below which they are slack, which takes most of the time.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
-            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
-            behind.
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic behind.
         match
             Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
         terminal
@@ -8744,8 +8734,7 @@ class JointCommands:
             Force model [fe]. A name (`mckibben parts list models`), or the JSON file of a fitted formula.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
-            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
-            behind.
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic behind.
         match
             Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
         terminal
@@ -8810,8 +8799,7 @@ class DriveCommands:
             `load.damping` and `friction.coefficient` that the files state.
         mesh
             Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
-            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
-            behind.
+            (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic behind.
         match
             Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
         terminal
@@ -9094,8 +9082,7 @@ def design(
         Number of candidates to show [5].
     mesh
         Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
-        (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
-        behind.
+        (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic behind.
     match
         Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
     terminal
@@ -9184,8 +9171,7 @@ def identify(
         Use points with a force of zero or below as measurements; by default the muscle counts as slack there.
     mesh
         Mesh of `fe` and `fe3d`. Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal behind
-        (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic or :circle
-        behind.
+        (2x8:2). Of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along (2x12x39), with :quadratic behind.
     match
         Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
     terminal

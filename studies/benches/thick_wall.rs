@@ -21,9 +21,6 @@ fn points(c: &mut Criterion) {
     group.bench_function("response", |b| {
         b.iter(|| model.response(w, black_box(0.25), black_box(0.1)))
     });
-    group.bench_function("pressure", |b| {
-        b.iter(|| model.pressure_at_pull(&mut Workspace::new(), black_box(400.0), black_box(0.1)));
-    });
     group.finish();
 }
 

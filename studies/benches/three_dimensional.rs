@@ -13,7 +13,7 @@ use mckibben_fem::solver::body::Body as _;
 use mckibben_fem::solver::continuation::Continuation;
 use mckibben_fem::solver::trail::Trail;
 use mckibben_fem::three_dimensional::{
-    BrickSpec, Match, MuscleInBricks, MuscleMesh, Ring, ThreeDimensional,
+    BrickSpec, Match, MuscleInBricks, MuscleMesh, ThreeDimensional,
 };
 use mckibben_studies::increment;
 use std::hint::black_box;
@@ -32,7 +32,6 @@ fn muscle(through: usize, around: usize) -> Continuation<MuscleInBricks> {
         through: Some(through),
         around: Some(around),
         keep: Match::Angle,
-        ring: Some(Ring::OnCircle),
         ..BrickSpec::default()
     };
     Continuation::new(MuscleMesh::new(&peers(), &spec).unwrap().at_rest().unwrap())
@@ -70,7 +69,7 @@ fn all(c: &mut Criterion) {
         b.iter(|| large.factorise_assembled().unwrap());
     });
     group.bench_function("one answer afresh, the program's mesh", |b| {
-        let model = ThreeDimensional::between_ends(&Muscle::prototype()).unwrap();
+        let model = ThreeDimensional::between_ends_with(&Muscle::prototype(), &BrickSpec::default()).unwrap();
         b.iter(|| black_box(model.force_n(&mut Workspace::new(), 0.25, 0.10).unwrap()));
     });
     group.finish();

@@ -250,7 +250,7 @@ pub fn check_test(test: Test, contractions: bool, forces: bool) -> Result<()> {
             "contractions (`contractions`) and computes pulls; `test` isotonic takes pulls",
         ),
     };
-    Problem::refuse_unused(&[unused], format!("`test` {} needs {needs}", test.name()))
+    Problem::refuse_unused(&[unused], format!("`test` {test} needs {needs}"))
 }
 
 /// Evenly spaced values, both ends among them.

@@ -232,7 +232,7 @@ pub struct MeshFields {
     ///
     /// Of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading
     /// towards the terminal behind (2x8:2). Of `fe3d`: bricks around the quarter (12), through x
-    /// around (2x12), through x around x along (2x12x39), with :quadratic or :circle behind.
+    /// around (2x12), through x around x along (2x12x39), with :quadratic behind.
     #[arg(long, value_name = "N or MxN:G", hide_short_help = true)]
     pub mesh: Option<String>,
     /// Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly

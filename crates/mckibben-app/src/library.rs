@@ -103,13 +103,7 @@ pub fn library_details(name: &str) -> Result<Option<LibraryDetails>> {
         fit: of.fit.name.clone(),
         identified: muscle
             .bench()
-            .map(|bench| {
-                bench
-                    .constants
-                    .iter()
-                    .map(|c| c.word().to_owned())
-                    .collect()
-            })
+            .map(|bench| bench.constants.iter().map(ToString::to_string).collect())
             .unwrap_or_default(),
         agreement: agreement(of, muscle, &|m: &Muscle| Model::FE.build(m)),
         muscle_file: file,

@@ -435,7 +435,7 @@ fn inserted(muscle: &Muscle, ends: &Ends) -> Result<Muscle, Refused> {
             format!(
                 "a length of {length_mm}\u{a0}mm on each plug has no room for {} ends; state \
                  `insertion_mm` of at least {least_mm}\u{a0}mm ([terminals] of the muscle file)",
-                ends.made.name()
+                ends.made
             )
         },
     )?;

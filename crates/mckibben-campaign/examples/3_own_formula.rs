@@ -4,7 +4,7 @@
 //! `cargo run --release -p mckibben-campaign --example 3_own_formula`
 
 use mckibben_campaign::{
-    campaign::{Plan, RunOptions, read, run},
+    campaign::{Plan, RunOptions, rows, run},
     fit::{FormulaRequest, MakeOfRows, Method, data, make},
 };
 use mckibben_core::{
@@ -59,13 +59,13 @@ fn error_between_the_points() -> Result<f64, Box<dyn Error>> {
         &RunOptions::default(),
         &mckibben_core::progress::Silent,
     )?;
-    let rows = read(&table)?;
+    let rows = rows(&table)?.collect::<Result<Vec<_>, _>>()?;
     println!("{} points of {} muscles", rows.len(), plan.muscles());
 
     let mut made = MakeOfRows::new(&rows[0]);
     rows.iter().try_for_each(|row| made.add(row))?;
     let fitted = make(FormulaRequest {
-        points: data::points(&rows),
+        points: rows.iter().filter_map(data::point).collect(),
         made_for: made.made_for(),
         method: Method::Global,
         terms: None,

@@ -3,27 +3,32 @@
 //! `cargo run --release -p mckibben-campaign --example 5_in_memory`
 
 use mckibben_campaign::{
-    campaign::{PlanBuilder, compute},
+    campaign::{Plan, compute},
     fit::{FormulaRequest, MakeOfRows, Method, data, make},
 };
 use mckibben_core::{
     formula::Provenance,
     model::{ForceModel, FormulaModel, Workspace},
-    muscle::{Muscle, file::parse_muscle},
     progress::Silent,
 };
 use mckibben_fem::axisymmetric::Axisymmetric;
 use std::error::Error;
 
-const MUSCLE: &str = r#"
+const PLAN: &str = r#"
 [tube]
-outer_diameter = "24 mm"
-wall_thickness = "2 mm"
 length = "200 mm"
 
 [braid]
 angle = "25 deg"
 stiffness = "600 N/mm"
+
+[vary]
+tube.outer_diameter = "20,24,28,32 mm"
+tube.wall_thickness = "1..3:1 mm"
+
+[test]
+contractions = "0..0.20:0.05"
+pressures = "0.05..0.25:0.05 MPa"
 "#;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -33,17 +38,12 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// Returns the formula's error on a muscle between those of the campaign, as a share of its
 /// blocked force.
 fn error_of_a_muscle_between() -> Result<f64, Box<dyn Error>> {
-    let muscle: Muscle = parse_muscle(MUSCLE)?;
-    let pressures_mpa = [0.05, 0.10, 0.15, 0.20, 0.25];
-    let plan = PlanBuilder::new(&muscle, &[0.0, 0.05, 0.10, 0.15, 0.20], &pressures_mpa)
-        .vary("tube.outer_diameter", "20,24,28,32 mm")
-        .vary("tube.wall_thickness", "1..3:1 mm")
-        .build()?;
+    let plan = Plan::parse(PLAN)?;
     let rows = compute(&plan, &Silent)?;
     let mut made = MakeOfRows::new(&rows[0]);
     rows.iter().try_for_each(|row| made.add(row))?;
     let fitted = make(FormulaRequest {
-        points: data::points(&rows),
+        points: rows.iter().filter_map(data::point).collect(),
         made_for: made.made_for(),
         method: Method::Global,
         terms: None,

@@ -26,16 +26,7 @@ pub enum Test {
     Isobaric,
 }
 
-impl Test {
-    /// The word for it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Test::Isometric => "isometric",
-            Test::Isotonic => "isotonic",
-            Test::Isobaric => "isobaric",
-        }
-    }
-}
+mckibben_units::display_as_serde_word!(Test);
 
 /// One point of a curve: the question, and the answer or why there is none.
 #[derive(Debug, Clone)]

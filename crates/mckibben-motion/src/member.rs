@@ -120,6 +120,7 @@ type Kept = [Option<Known>; 8];
 /// A pressure, a contraction, and the answer there.
 type Known = (f64, f64, Answer);
 
+#[derive(Clone)]
 pub struct Member {
     pub muscle: Actuated,
     pub length_mm: f64,
@@ -142,6 +143,17 @@ pub struct Memory {
     /// The infinitely long muscle that has G or its slopes, where friction needs them.
     long: OnceCell<ThickWall>,
     limits_mpa: OnceCell<[f64; 2]>,
+}
+
+impl Clone for Memory {
+    /// For another simulation; workspaces begin anew.
+    fn clone(&self) -> Self {
+        Self {
+            kept: self.kept.clone(),
+            slack: self.slack.clone(),
+            ..Self::default()
+        }
+    }
 }
 
 impl Memory {
@@ -197,14 +209,6 @@ impl Member {
             ]
             .map(|mpa| mpa.unwrap_or(f64::INFINITY))
         })
-    }
-
-    /// The same for another simulation.
-    pub fn duplicate(&self) -> Self {
-        Self {
-            memory: Memory::of(&self.memory.numbers()).unwrap_or_default(),
-            ..Self::new(&self.muscle, self.near)
-        }
     }
 
     /// A member with the relative tolerance of the motion.

@@ -26,9 +26,8 @@ pub fn run(drive: &Drive, progress: &dyn Progress) -> Result<Motion> {
 /// [`MotionError`] where there is nothing of it: for a drive that is none, no beginning, or more
 /// points than are allowed.
 pub fn run_as_far(drive: &Drive, progress: &dyn Progress) -> Result<Motion> {
-    drive.check()?;
-    size::points("output_step", drive.until_s / drive.output_step_s)?;
     let system = System::new(drive)?;
+    size::points("output_step", drive.until_s / drive.output_step_s)?;
     let mut integration = Integration::begin(&system, progress)?;
     let ended = match integration.integrate() {
         Ok(()) => None,

@@ -125,9 +125,8 @@ impl Simulation {
         self.command(Some(commands), outside_force)?;
         let from = self.time_s();
         let end = self.system.drive.output_step_s * (self.done + 1) as f64;
-        self.system.layout.check(&mut self.state)?;
         let system = &self.system;
-        system.start_anew();
+        system.failed.take();
         let modes = system.modes.borrow().clone();
         let points = self.motion.series.points();
         let events = self.motion.events.len();

@@ -1,7 +1,7 @@
 //! The state of a drive: what is integrated, by name. Only this file has the order in which the
 //! integrator sees it.
 
-use crate::{ATMOSPHERE_MPA, Actuator, Command, Commanded, Drive, MotionError, Result, ValveKind};
+use crate::{ATMOSPHERE_MPA, Actuator, Command, Commanded, Drive, ValveKind};
 
 /// The state of one muscle, or its rates.
 #[derive(Clone, Default)]
@@ -209,14 +209,5 @@ impl Layout {
         let mut state = self.zero.clone();
         state.read(numbers);
         state
-    }
-
-    /// Whether a state has as many numbers.
-    pub fn check(&self, state: &mut State) -> Result<()> {
-        let given = state.visit_numbers(|_| {});
-        let needed = self.len;
-        MotionError::require(given == needed, || {
-            format!("{given} numbers were given for a state of {needed}")
-        })
     }
 }

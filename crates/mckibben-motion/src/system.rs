@@ -41,6 +41,7 @@ pub struct Mode {
 }
 
 /// One muscle at one time.
+#[derive(Clone)]
 pub struct MusclePoint {
     pub pressure_mpa: f64,
     pub contraction: f64,
@@ -60,7 +61,7 @@ pub struct MusclePoint {
 }
 
 /// Everything at one time.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Point {
     pub muscles: Vec<MusclePoint>,
     /// Net generalised force with damping.
@@ -69,6 +70,7 @@ pub struct Point {
     pub rates: State,
 }
 
+#[derive(Clone)]
 pub struct System {
     pub drive: Drive,
     pub members: Vec<Member>,
@@ -88,33 +90,7 @@ pub struct System {
 }
 
 /// Another one in the same state.
-impl Clone for System {
-    fn clone(&self) -> Self {
-        let room = (self.layout.filled(0.0), Point::default());
-        Self {
-            drive: self.drive.clone(),
-            members: self.members.iter().map(Member::duplicate).collect(),
-            layout: self.layout.clone(),
-            scale: self.scale.clone(),
-            scales: self.scales.clone(),
-            modes: self.modes.clone(),
-            within: self.within.clone(),
-            failed: RefCell::default(),
-            room: RefCell::new(room),
-            offset: self.offset.clone(),
-        }
-    }
-}
-
 impl System {
-    /// Forgets what holds within a step alone.
-    pub fn start_anew(&self) {
-        self.failed.take();
-        for member in &self.members {
-            member.substitute.set(None);
-        }
-    }
-
     pub fn new(drive: &Drive) -> Result<Self> {
         drive.check()?;
         let members = Vec::from_iter(

@@ -27,7 +27,7 @@ impl Show for CurveAnswer {
 
     fn page(&self, u: &Units) -> Page {
         let mut page = Page::default();
-        page.line(format!("{} test, model {}", self.test.name(), self.model));
+        page.line(format!("{} test, model {}", self.test, self.model));
         page.line(self.muscle.line(u));
         page.gap();
         page.table(self.table(u));

@@ -72,7 +72,7 @@ impl Search<'_> {
         if let Some(ends) = first.ends {
             take += &format!(
                 ", {} ends ({}\u{a0}mm wide, {} g both)",
-                ends.made.name(),
+                ends.made,
                 number(ends.width_mm, 3),
                 number(ends.mass_g, 2)
             );

@@ -15,8 +15,11 @@ const SHAPES: usize = 6;
 
 /// Four panels: the curve, the shape of half the muscle, strand tension and strand angle along it.
 pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) -> Figure {
-    let mut figure =
-        Figure::new(format!("{} test, finite elements", capital(test.name()))).sequential();
+    let mut figure = Figure::new(format!(
+        "{} test, finite elements",
+        capital(&test.to_string())
+    ))
+    .sequential();
     let (x, y) = axes(test, u);
     let mut curve = Panel::new(x, y);
     let mut fixed = Vec::from_iter(points.iter().map(|q| key(test, q)));

@@ -18,10 +18,10 @@ mod warnings;
 mod tests;
 
 pub use error::CampaignError;
-pub use plan::{Inputs, Plan, PlanBuilder, PlanKeys, Sampling, SamplingMethod, Testing};
+pub use plan::{Inputs, Plan, PlanKeys, Sampling, SamplingMethod, Testing};
 pub use solve::compute;
 #[cfg(feature = "store")]
-pub use store::{CampaignOutcome, Forecast, RunOptions, forecast, read, rows, run};
+pub use store::{CampaignOutcome, Forecast, RunOptions, forecast, rows, run};
 #[cfg(feature = "store")]
 pub use store::{
     Counts, Extent, Failed, Merged, Provenance, Recomputed, Rows, Shard, ShardState, ShardStatus,

@@ -84,16 +84,6 @@ pub fn point(row: &PointRow) -> Option<FitPoint> {
     })
 }
 
-/// The answered points of a table.
-pub fn points(rows: &[PointRow]) -> Vec<FitPoint> {
-    rows.iter().filter_map(point).collect()
-}
-
-/// P from `first` to .25 MPa in steps of .01 MPa, as in the paper's isometric tests.
-pub fn pressure_steps(first: u32) -> Vec<f64> {
-    (first..=25).map(|i| f64::from(i) / 100.0).collect()
-}
-
 /// A grid of points: muscles of every diameter and wall, at every contraction and pressure.
 #[derive(Debug, Clone, Copy)]
 pub struct Grid<'a> {

@@ -131,7 +131,7 @@ fn candidates(counts: [usize; 4]) -> Vec<[u8; 4]> {
             for c in 0..=highest(2) {
                 for d in 0..=highest(3) {
                     if a + c + d <= HIGHEST_TOGETHER {
-                        out.push([a, b, c, d].map(|n| u8::try_from(n).unwrap_or(u8::MAX)));
+                        out.push([a, b, c, d].map(|n| n as u8));
                     }
                 }
             }

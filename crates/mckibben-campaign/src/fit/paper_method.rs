@@ -89,9 +89,7 @@ pub fn paper_method(points: &[FitPoint]) -> Result<PaperMethod> {
         return Err(FitError::empty(" at the method's pressures"));
     }
     let diameters = distinct(points.iter().map(|p| p.outer_diameter_mm));
-    enough("outer_diameter_mm", diameters.len(), 3, || {
-        "the table".into()
-    })?;
+    enough("outer_diameter_mm", diameters.len(), 3, "the table")?;
     let mut curves = vec![];
     let mut lines = vec![];
     let mut walls = vec![];
@@ -129,16 +127,10 @@ pub fn paper_method(points: &[FitPoint]) -> Result<PaperMethod> {
     })
 }
 
-fn enough(
-    quantity: &'static str,
-    count: usize,
-    needed: usize,
-    place: impl Fn() -> String,
-) -> Result<()> {
+fn enough(quantity: &'static str, count: usize, needed: usize, place: &str) -> Result<()> {
     if count >= needed {
         return Ok(());
     }
-    let place = place();
     Err(FitError::Refused(format!(
         "{place} has {count} different values of {quantity}; {needed} are needed at least"
     )))
@@ -146,30 +138,26 @@ fn enough(
 
 /// Step 1.
 fn curve(d: f64, s: f64, p: f64, points: Vec<(f64, f64)>) -> Result<CurveFit> {
-    let place = || format!("the curve of D0 {d}, s {s} mm at {p} MPa");
-    enough(
-        "contraction",
-        distinct(points.iter().map(|q| q.0)).len(),
-        3,
-        place,
-    )?;
+    let place = format!("the curve of D0 {d}, s {s} mm at {p} MPa");
+    let contractions = distinct(points.iter().map(|q| q.0));
+    enough("contraction", contractions.len(), 3, &place)?;
     Ok(CurveFit {
         outer_diameter_mm: d,
         wall_mm: s,
         pressure_mpa: p,
-        abc: fit::<3>(&points).ok_or_else(|| FitError::singular(place()))?,
+        abc: fit::<3>(&points).ok_or_else(|| FitError::singular(place))?,
         points,
     })
 }
 
 /// Step 3.
 fn line(d: f64, s: f64, curves: &[CurveFit]) -> Result<LineFit> {
-    let place = || format!("the muscle D0 {d}, s {s} mm");
-    enough("pressure_mpa", curves.len(), 2, place)?;
+    let place = format!("the muscle D0 {d}, s {s} mm");
+    enough("pressure_mpa", curves.len(), 2, &place)?;
     let line = |k: usize| {
         let point = |c: &CurveFit| (c.pressure_mpa, c.abc.coefficients[k]);
         fit::<2>(&Vec::from_iter(curves.iter().map(point)))
-            .ok_or_else(|| FitError::singular(place()))
+            .ok_or_else(|| FitError::singular(&place))
     };
     Ok(LineFit {
         outer_diameter_mm: d,
@@ -181,14 +169,14 @@ fn line(d: f64, s: f64, curves: &[CurveFit]) -> Result<LineFit> {
 
 /// Steps 4–5.
 fn parabolas(d: f64, lines: &[LineFit]) -> Result<WallFit> {
-    let place = || format!("the diameter D0 {d} mm");
-    enough("wall_mm", lines.len(), 3, place)?;
+    let place = format!("the diameter D0 {d} mm");
+    enough("wall_mm", lines.len(), 3, &place)?;
     let parabola = |k: usize, j: usize| {
         let points: Vec<(f64, f64)> = lines
             .iter()
             .map(|l| (l.wall_mm, l.lines[k].coefficients[j]))
             .collect();
-        fit::<3>(&points).ok_or_else(|| FitError::singular(place()))
+        fit::<3>(&points).ok_or_else(|| FitError::singular(&place))
     };
     let pair = |k| Ok::<_, FitError>([parabola(k, 0)?, parabola(k, 1)?]);
     Ok(WallFit {
@@ -239,11 +227,10 @@ impl<const N: usize> PolynomialFit<N> {
 /// than N points, or points that do not determine it.
 pub fn fit<const N: usize>(points: &[(f64, f64)]) -> Option<PolynomialFit<N>> {
     let scale = peak(points.iter().map(|p| p.0.abs()));
-    if points.len() < N || N == 0 || !(scale > 0.0 || N == 1) {
+    if points.len() < N || scale == 0.0 {
         return None;
     }
-    let scale = if scale > 0.0 { scale } else { 1.0 };
-    let power = |j: usize| i32::try_from(N - 1 - j).unwrap_or(0);
+    let power = |j: usize| (N - 1 - j) as i32;
     let matrix = DMatrix::from_fn(points.len(), N, |i, j| (points[i].0 / scale).powi(power(j)));
     let solved = least_squares(
         matrix,

@@ -11,10 +11,7 @@
 
 use mckibben_campaign::fit::Method;
 use mckibben_campaign::fit::{
-    data::{
-        CONTRACTIONS, DIAMETERS, FULL_PRESSURE, FitPoint, Grid, PRESSURES, WALLS, pressure_steps,
-        same,
-    },
+    data::{CONTRACTIONS, DIAMETERS, FULL_PRESSURE, FitPoint, Grid, PRESSURES, WALLS, same},
     errors::{ForceScales, errors},
     fitted,
 };
@@ -280,7 +277,7 @@ fn the_constants_and_the_published_formula_come_out() {
 #[test]
 fn the_goals_of_the_global_method_are_met() {
     let base = Muscle::prototype();
-    let pressures = pressure_steps(1);
+    let pressures: Vec<f64> = (1..=25).map(|i| f64::from(i) / 100.0).collect();
     let full = Grid {
         pressures: &pressures,
         ..Grid::PAPER

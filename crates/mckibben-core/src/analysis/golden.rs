@@ -1,20 +1,19 @@
 //! The least of a function of one variable.
 
-/// Golden section between `left` and `right`, from a sample between them.
-pub fn golden<S: Abscissa, M: PartialOrd>(
+/// Where a function is least, and its value there, by golden section between `left` and `right` from
+/// a sample between them.
+pub fn golden(
     left: f64,
-    start: S,
+    start: (f64, f64),
     right: f64,
     steps: usize,
-    merit: impl Fn(&S) -> M,
-    at: &mut impl FnMut(f64) -> S,
-) -> S {
+    mut at: impl FnMut(f64) -> f64,
+) -> (f64, f64) {
     const SHARE: f64 = 0.381_966_011_250_105;
     let mut a = left;
-    let mut best = start;
+    let (mut b, mut least) = start;
     let mut c = right;
     for _ in 0..steps {
-        let b = best.place();
         let x = if c - b > b - a {
             b + SHARE * (c - b)
         } else {
@@ -23,31 +22,19 @@ pub fn golden<S: Abscissa, M: PartialOrd>(
         if x == b {
             break;
         }
-        let tried = at(x);
-        if merit(&tried) < merit(&best) {
+        let value = at(x);
+        if value < least {
             if x > b {
                 a = b
             } else {
                 c = b
             }
-            best = tried;
+            (b, least) = (x, value);
         } else if x > b {
             c = x;
         } else {
             a = x;
         }
     }
-    best
-}
-
-/// Something at a place of an axis.
-pub trait Abscissa {
-    /// The place.
-    fn place(&self) -> f64;
-}
-
-impl<T> Abscissa for (f64, T) {
-    fn place(&self) -> f64 {
-        self.0
-    }
+    (b, least)
 }

@@ -18,7 +18,6 @@ pub use burst::{
 };
 pub use error::{AnalysisError, Result};
 pub use evaluation::{Evaluation, Options, source_of};
-pub use golden::{Abscissa, golden};
 pub(crate) use inverse::{HIGHEST_PRESSURE_MPA, straight_strands};
 pub use root::{bisect, find_root, root_near};
 pub(crate) use sweep::{Sweep, places};

@@ -238,10 +238,10 @@ impl<E: From<Cancelled>, F: FnMut(f64) -> Result<f64, E>> Sweep<F, E> {
                 continue;
             }
             let steps = self.closing;
-            let mut tried = |x: f64| (x, (self.at)(x).unwrap_or(sign * f64::INFINITY));
-            let best = golden(left, (middle, b), right, steps, |s| sign * s.1, &mut tried);
+            let tried = |x: f64| (self.at)(x).map_or(f64::INFINITY, |v| sign * v);
+            let (best, _) = golden(left, (middle, sign * b), right, steps, tried);
             cancel::check()?;
-            self.sample(best.0)?;
+            self.sample(best)?;
         }
         Ok(())
     }

@@ -4,7 +4,7 @@ use super::{BoundJoint, JointError, Rest, Result, ShutStiffness, model::Fixed};
 use crate::{
     by_number::ByNumber,
     extremes::ends,
-    model::{Interval, ModelError, Quantity, Workspace},
+    model::{ModelError, Workspace},
     progress::Progress,
     threads::Threads,
 };
@@ -175,9 +175,8 @@ impl BoundJoint {
             let (least, most) = ends(self.joint().angles_deg(ANGLES).filter_map(at));
             let range = &self.model(i).info().range;
             let mut violations = range.violations(max_pressure_mpa, least);
-            let beyond =
-                Interval::new(Quantity::CONTRACTION, range.contraction).violation(most, 1e-12);
-            let beyond = beyond.filter(|v| !violations.contains(v));
+            let beyond = range.violations(max_pressure_mpa, most);
+            let beyond = beyond.into_iter().find(|v| !violations.contains(v));
             // Beyond its free contraction it hangs slack.
             if let Some(beyond) = beyond
                 && self

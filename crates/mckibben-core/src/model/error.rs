@@ -4,7 +4,6 @@ use super::RangeViolation;
 use crate::{
     analysis::FailureMode, cancel::Cancelled, joined, status::Status, units::trimmed as short,
 };
-use std::{error::Error as StdError, fmt, sync::Arc};
 use thiserror::Error;
 
 fn list(violations: &[RangeViolation], make: &[String]) -> String {
@@ -19,29 +18,6 @@ fn list(violations: &[RangeViolation], make: &[String]) -> String {
 
 /// What a model answers, or why it has no answer.
 pub type Result<T, E = ModelError> = std::result::Result<T, E>;
-
-/// The error of a model that is not one of this library's.
-#[derive(Debug, Clone)]
-pub struct OtherError(Arc<dyn StdError + Send + Sync>);
-
-impl fmt::Display for OtherError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
-    }
-}
-
-impl StdError for OtherError {
-    fn source(&self) -> Option<&(dyn StdError + 'static)> {
-        self.0.source()
-    }
-}
-
-/// Two errors are the same where they are one.
-impl PartialEq for OtherError {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.0, &other.0)
-    }
-}
 
 /// Why a model has no answer at a pressure and contraction.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -166,17 +142,9 @@ pub enum ModelError {
         /// What fails.
         by: FailureMode,
     },
-    /// What a model of your own says ([`ModelError::other`]).
-    #[error(transparent)]
-    Other(#[doc(hidden)] OtherError),
 }
 
 impl ModelError {
-    /// The error of a model of your own.
-    pub fn other(error: impl Into<Box<dyn StdError + Send + Sync>>) -> Self {
-        Self::Other(OtherError(Arc::from(error.into())))
-    }
-
     /// That the formula of a model is not finite at a pressure and contraction.
     pub fn not_finite(model: &str, pressure_mpa: f64, contraction: f64) -> Self {
         Self::NotFinite {

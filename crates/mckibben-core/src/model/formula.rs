@@ -1,8 +1,8 @@
 //! A formula as a force model.
 
 use super::{
-    Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelInfo, ModelRange, Quantity,
-    Reference, Response, Result, ThickWall, Workspace, notes, quadrature,
+    Accuracy, BlockedAt, ForceModel, ModelError, ModelInfo, ModelRange, Reference, Response,
+    Result, ThickWall, Workspace, notes, quadrature,
 };
 use crate::{
     formula::{Body, Formula, FormulaRange, GlobalSection, Made, Section, alike},
@@ -140,18 +140,17 @@ pub fn of_sections(
         make,
         ..ModelRange::open()
     }
-    .with_measures(&[
+    .with_measures([
         (
-            Interval::new(Quantity::OUTER_DIAMETER, r.outer_diameter_mm),
+            ("outer_diameter", "mm"),
+            r.outer_diameter_mm,
             m.outer_diameter_mm(),
         ),
+        (("wall_thickness", "mm"), r.wall_mm, m.wall_mm()),
+        (("length", "mm"), (length_mm, length_mm), m.length_mm()),
         (
-            Interval::new(Quantity::WALL_THICKNESS, r.wall_mm),
-            m.wall_mm(),
-        ),
-        (Interval::only(Quantity::LENGTH, length_mm), m.length_mm()),
-        (
-            Interval::only(Quantity::BRAID_ANGLE, angle_deg),
+            ("braid_angle", "deg"),
+            (angle_deg, angle_deg),
             m.braid().angle_deg,
         ),
     ])

@@ -36,8 +36,9 @@ pub use error::{ModelError, Result};
 pub use formula::FormulaModel;
 pub use ideal::Ideal;
 pub use info::{ModelEntry, ModelInfo};
-pub use interval::{Interval, Quantity, RangeViolation};
+pub use interval::RangeViolation;
 pub use kind::{ModelKind, unknown_model};
+pub(crate) use quadrature::rule as gauss;
 pub use range::ModelRange;
 pub use response::Response;
 pub use seated::{Seated, with_ends};
@@ -50,11 +51,6 @@ pub use workspace::{ModelId, Workspace};
 
 use crate::muscle::Muscle;
 use auto_impl::auto_impl;
-
-/// Gauss–Legendre points and weights on [−1, 1].
-pub(crate) fn gauss(points: usize) -> &'static [(f64, f64)] {
-    quadrature::rule(points)
-}
 
 /// Whatever answers F(P, ε) for one muscle.
 ///

@@ -2,7 +2,7 @@
 
 use super::{
     ModelError, Result,
-    interval::{Interval, Quantity, RangeViolation},
+    interval::{Quantity, RangeViolation},
 };
 use crate::muscle::Muscle;
 
@@ -15,9 +15,7 @@ pub struct ModelRange {
     pub pressure_mpa: (f64, f64),
     /// Lowest and highest contraction ratio.
     pub contraction: (f64, f64),
-    /// Bounds of the muscle's measures; empty where any will do.
-    pub measures: Vec<Interval>,
-    /// What of the muscle lies outside of them.
+    /// What of the muscle lies outside of the bounds on its measures.
     pub muscle: Vec<RangeViolation>,
     /// Parts of the muscle that differ from what the model was made for and are not numbers
     /// ("the rubber is dragon-skin-30, the formula is for `antonelli2018`").
@@ -30,7 +28,6 @@ impl ModelRange {
         Self {
             pressure_mpa: (0.0, f64::INFINITY),
             contraction: (0.0, 1.0),
-            measures: vec![],
             muscle: vec![],
             make: vec![],
         }
@@ -59,33 +56,27 @@ impl ModelRange {
     }
 
     /// The same with bounds on measures of the muscle, of which each is given with its value.
-    pub fn with_measures(self, measures: &[(Interval, f64)]) -> Self {
+    pub(super) fn with_measures<const N: usize>(
+        self,
+        measures: [(Quantity, (f64, f64), f64); N],
+    ) -> Self {
+        let outside = |(quantity, bounds, value): (Quantity, (f64, f64), f64)| {
+            RangeViolation::of(quantity, bounds, value, 1e-9 * bounds.0.abs().max(1.0))
+        };
         Self {
-            measures: measures.iter().map(|m| m.0).collect(),
-            muscle: measures
-                .iter()
-                .filter_map(|(interval, value)| {
-                    interval.violation(*value, 1e-9 * interval.low.abs().max(1.0))
-                })
-                .collect(),
+            muscle: measures.into_iter().filter_map(outside).collect(),
             ..self
         }
     }
 
-    fn of_state(&self) -> [Interval; 2] {
-        let pressure = Interval::new(Quantity::PRESSURE, self.pressure_mpa);
-        [
-            pressure,
-            Interval::new(Quantity::CONTRACTION, self.contraction),
-        ]
-    }
-
     /// Everything that is outside at a pressure and contraction, the muscle's own violations first.
     pub fn violations(&self, pressure_mpa: f64, contraction: f64) -> Vec<RangeViolation> {
-        let values = self.of_state().into_iter().zip([pressure_mpa, contraction]);
         // The comparison is exact but for the last bits of a sum such as 0.1 + 0.15.
-        let outside = values.filter_map(|(interval, value)| interval.violation(value, 1e-12));
-        self.muscle.iter().copied().chain(outside).collect()
+        let outside = |quantity, bounds, value| RangeViolation::of(quantity, bounds, value, 1e-12);
+        let pressure = outside(("pressure", "MPa"), self.pressure_mpa, pressure_mpa);
+        let contraction = outside(("contraction", ""), self.contraction, contraction);
+        let muscle = self.muscle.iter().copied();
+        muscle.chain(pressure).chain(contraction).collect()
     }
 
     /// Refuses what is outside.

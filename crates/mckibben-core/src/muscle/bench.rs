@@ -97,11 +97,11 @@ impl Bench {
         text.add(&muscle.digest(), &self.lengths_mm);
         text.add(&self.model, &[]);
         for constant in &self.constants {
-            text.add(constant.word(), &[]);
+            text.add(&constant.to_string(), &[]);
         }
         self.branches
             .iter()
-            .for_each(|branch| text.add(branch.name(), &[]));
+            .for_each(|branch| text.add(&branch.to_string(), &[]));
         let ((p, q), (low, high)) = (self.pressure_mpa, self.contraction);
         text.add("range", &[self.points as f64, p, q, low, high]);
         text.add("constants", &[self.pull_factor, self.friction_share]);

@@ -30,6 +30,8 @@ pub enum Constant {
 /// A value of each constant, in the order of [`Constant::ALL`].
 pub type Constants = [f64; Constant::ALL.len()];
 
+mckibben_units::display_as_serde_word!(Constant);
+
 impl Constant {
     /// All of them, in the order of [`Constants`].
     pub const ALL: [Self; 8] = [
@@ -42,20 +44,6 @@ impl Constant {
         Self::Strands,
         Self::Friction,
     ];
-
-    /// The word for it in files.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::PullFactor => "pull_factor",
-            Self::Seating => "seating",
-            Self::Compliance => "compliance",
-            Self::TakeUp => "take_up",
-            Self::Modulus => "modulus",
-            Self::Angle => "angle",
-            Self::Strands => "strands",
-            Self::Friction => "friction",
-        }
-    }
 
     /// The values that it may have.
     pub fn bounds(self) -> (f64, f64) {

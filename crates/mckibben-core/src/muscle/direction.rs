@@ -1,7 +1,6 @@
 //! Direction of motion: the branch of the hysteresis loop.
 
 use serde::{Deserialize, Serialize};
-use std::fmt;
 
 /// Which way the muscle moves, and so on which branch of its hysteresis loop it is.
 #[derive(
@@ -17,6 +16,8 @@ pub enum Direction {
     /// The muscle is lengthened: upper branch, friction increases the pull.
     Elongation,
 }
+
+mckibben_units::display_as_serde_word!(Direction);
 
 impl Direction {
     /// All of them.
@@ -38,15 +39,6 @@ impl Direction {
         }
     }
 
-    /// The word for it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Direction::Mean => "mean",
-            Direction::Contraction => "contraction",
-            Direction::Elongation => "elongation",
-        }
-    }
-
     /// Sign of the friction force in the pull.
     pub fn sign(self) -> f64 {
         match self {
@@ -59,11 +51,5 @@ impl Direction {
     /// Whether it is [`Direction::Mean`].
     pub fn is_mean(&self) -> bool {
         *self == Direction::Mean
-    }
-}
-
-impl fmt::Display for Direction {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
     }
 }

@@ -73,16 +73,7 @@ pub enum EndsMade {
     Tied,
 }
 
-impl EndsMade {
-    /// The word for it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Crimped => "crimped",
-            Self::Clamped => "clamped",
-            Self::Tied => "tied",
-        }
-    }
-}
+mckibben_units::display_as_serde_word!(EndsMade);
 
 /// What is known of the terminals.
 #[derive(Debug, Clone, PartialEq, Default)]

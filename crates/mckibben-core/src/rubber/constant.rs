@@ -94,9 +94,6 @@ pub trait LawConstants: RubberLaw + Sized {
     const IS_SUM: bool = false;
     /// Constants of a plausible rubber: tests and fits start from them.
     const EXAMPLE: &'static [f64];
-    /// Where a fit that is held stable holds every constant at or above zero as well: how that is
-    /// said.
-    const HELD_POSITIVE: Option<&'static str> = None;
 
     /// The law of these constants, not checked; `None` where their number is wrong.
     fn from_values(values: &[f64]) -> Option<Self>;
@@ -108,24 +105,6 @@ pub trait LawConstants: RubberLaw + Sized {
     fn locks_at(&self) -> Option<f64> {
         None
     }
-
-    /// How an input deck for Abaqus or CalculiX writes the law; `None` where those have no such
-    /// law.
-    #[doc(hidden)]
-    fn card(&self) -> Option<HyperelasticCard> {
-        None
-    }
-}
-
-/// The `*HYPERELASTIC` card of an Abaqus or CalculiX input deck.
-#[derive(Debug, Clone, PartialEq)]
-pub struct HyperelasticCard {
-    /// What follows the keyword: `YEOH`, `OGDEN, N=2`.
-    pub form: String,
-    /// The constants, in MPa and plain numbers, without those of compression.
-    pub constants: Vec<f64>,
-    /// How many constants of compression D1, D2, … the card takes.
-    pub compressions: usize,
 }
 
 /// A law without the values of its constants.
@@ -139,8 +118,6 @@ pub struct LawKind {
     pub is_sum: bool,
     /// See [`LawConstants::EXAMPLE`].
     pub example: &'static [f64],
-    /// See [`LawConstants::HELD_POSITIVE`].
-    pub held_positive: Option<&'static str>,
     make: fn(&[f64]) -> Option<Law>,
 }
 
@@ -165,7 +142,6 @@ impl LawKind {
             constants: L::CONSTANTS,
             is_sum: L::IS_SUM,
             example: L::EXAMPLE,
-            held_positive: L::HELD_POSITIVE,
             make,
         }
     }

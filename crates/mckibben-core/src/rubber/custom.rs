@@ -1,14 +1,12 @@
 //! A law of your own.
 
-use super::{
-    Biaxial, HyperelasticCard, Law, LawConstants, LawKind, LawVisitor, Principal, RubberLaw,
-};
+use super::{Biaxial, Law, LawConstants, LawKind, Principal, RubberLaw};
 use std::{fmt, sync::Arc};
 
 /// A law that is not one of the list, by its own type behind a pointer. Two are the same where
 /// their names and constants are.
 #[derive(Clone)]
-pub struct CustomLaw(Arc<dyn AnyLaw>);
+pub struct CustomLaw(pub(super) Arc<dyn AnyLaw>);
 
 impl Law {
     /// A law of your own as the law of a rubber.
@@ -71,11 +69,10 @@ impl Law {
 }
 
 /// [`LawConstants`] of a value whose type is not known.
-trait AnyLaw: RubberLaw + fmt::Debug + Send {
+pub(super) trait AnyLaw: RubberLaw + fmt::Debug + Send {
     fn kind(&self) -> &'static LawKind;
     fn values(&self) -> Vec<f64>;
     fn locks_at(&self) -> Option<f64>;
-    fn card(&self) -> Option<HyperelasticCard>;
 }
 
 impl<L: LawConstants + fmt::Debug + Send + 'static> AnyLaw for L {
@@ -90,28 +87,6 @@ impl<L: LawConstants + fmt::Debug + Send + 'static> AnyLaw for L {
     fn locks_at(&self) -> Option<f64> {
         LawConstants::locks_at(self)
     }
-
-    fn card(&self) -> Option<HyperelasticCard> {
-        LawConstants::card(self)
-    }
-}
-
-impl CustomLaw {
-    pub(super) fn kind(&self) -> &'static LawKind {
-        self.0.kind()
-    }
-
-    pub(super) fn values(&self) -> Vec<f64> {
-        self.0.values()
-    }
-
-    pub(super) fn locks_at(&self) -> Option<f64> {
-        self.0.locks_at()
-    }
-
-    pub(super) fn card(&self) -> Option<HyperelasticCard> {
-        self.0.card()
-    }
 }
 
 impl fmt::Debug for CustomLaw {
@@ -122,7 +97,7 @@ impl fmt::Debug for CustomLaw {
 
 impl PartialEq for CustomLaw {
     fn eq(&self, other: &Self) -> bool {
-        self.kind() == other.kind() && self.values() == other.values()
+        self.0.kind() == other.0.kind() && self.0.values() == other.0.values()
     }
 }
 
@@ -137,9 +112,5 @@ impl RubberLaw for CustomLaw {
 
     fn biaxial(&self, u: f64, v: f64) -> Biaxial {
         self.0.biaxial(u, v)
-    }
-
-    fn visit<V: LawVisitor>(&self, visitor: V) -> V::Output {
-        visitor.law(self)
     }
 }

@@ -32,11 +32,6 @@ impl Form {
         self.kind.name
     }
 
-    /// The law without its constants.
-    pub fn kind(self) -> &'static LawKind {
-        self.kind
-    }
-
     /// Number of terms of a law that is a sum of them.
     pub fn terms(self) -> Option<usize> {
         self.kind.is_sum.then_some(self.terms)

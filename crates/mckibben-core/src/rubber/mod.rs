@@ -21,7 +21,7 @@ mod written;
 
 pub use check::{LawFault, check_law};
 pub use compound::{Bulk, Conditioned, Rubber};
-pub use constant::{Constant, ConstantValue, HyperelasticCard, LawConstants, LawKind};
+pub use constant::{Constant, ConstantValue, LawConstants, LawKind};
 pub use custom::CustomLaw;
 pub use form::Form;
 pub use invariants::{InvariantDerivatives, InvariantLaw};

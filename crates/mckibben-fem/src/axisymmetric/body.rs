@@ -362,8 +362,8 @@ impl NewtonSystem for Body {
         }
     }
 
-    fn retreat(&mut self, keep: f64) {
-        self.add_step(keep - 1.0);
-        self.step.scale(keep);
+    fn retreat(&mut self) {
+        self.add_step(-0.5);
+        self.step.scale(0.5);
     }
 }

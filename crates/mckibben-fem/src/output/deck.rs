@@ -15,7 +15,7 @@ use mckibben_core::{
     joined,
     model::ForceModel,
     muscle::Bulk,
-    rubber::{Law, RubberLaw},
+    rubber::{Law, Ogden, RubberLaw},
 };
 use std::collections::BTreeMap;
 
@@ -214,30 +214,26 @@ fn sets(out: &mut String, model: &ThreeDimensional) {
 fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<()> {
     let k = match bulk {
         Bulk::Modulus(k) => k,
-        Bulk::Incompressible => BULK * law.shear_modulus_mpa(),
+        Bulk::Incompressible => {
+            *out += &format!(
+                "** the rubber is incompressible; here its bulk modulus is {BULK} times the shear \
+                 modulus\n"
+            );
+            BULK * law.shear_modulus_mpa()
+        }
     };
-    if bulk == Bulk::Incompressible {
-        *out += &format!(
-            "** the rubber is incompressible; here its bulk modulus is {BULK} times the shear \
-             modulus\n"
-        );
-    }
-    let card = law.card().ok_or_else(|| {
+    let (form, mut numbers, compressions) = card(law).ok_or_else(|| {
         FemError::Refused(format!(
-            "an input deck cannot describe the law \"{law}\"; it can describe {}",
-            laws_of_decks(),
-            law = law.name()
+            "an input deck cannot describe the law \"{}\"; it can describe mooney-rivlin, \
+             neo-hookean, yeoh and ogden",
+            law.name()
         ))
     })?;
     // One constant of compression counts, D1 = 2/K.
-    let more = std::iter::repeat_n(0.0, card.compressions.saturating_sub(1));
-    let numbers: Vec<f64> = card
-        .constants
-        .into_iter()
-        .chain([2.0 / k])
-        .chain(more)
-        .collect();
-    *out += &format!("*MATERIAL, NAME=RUBBER\n*HYPERELASTIC, {}\n", card.form);
+    let given = numbers.len();
+    numbers.push(2.0 / k);
+    numbers.resize(given + compressions, 0.0);
+    *out += &format!("*MATERIAL, NAME=RUBBER\n*HYPERELASTIC, {form}\n");
     for part in numbers.chunks(8) {
         *out += &format!("{}\n", joined(part.iter().map(|x| format!("{x:?}")), ", "));
     }
@@ -245,14 +241,21 @@ fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<()> {
     Ok(())
 }
 
-/// Names of the laws that decks know.
-fn laws_of_decks() -> String {
-    let laws = Law::examples();
-    let mut names: Vec<&str> = laws
-        .iter()
-        .filter(|l| l.card().is_some())
-        .map(Law::name)
-        .collect();
-    let last = names.pop().unwrap_or_default();
-    format!("{} and {last}", names.join(", "))
+/// What follows the keyword *HYPERELASTIC, the constants without those of compression, and how many
+/// of these D1, D2, … there are; `None` where decks have no such law.
+fn card(law: &Law) -> Option<(String, Vec<f64>, usize)> {
+    Some(match law {
+        Law::NeoHookean(law) => ("NEO HOOKE".into(), vec![0.5 * law.mu_mpa], 1),
+        Law::MooneyRivlin(_) => ("MOONEY-RIVLIN".into(), law.values(), 1),
+        Law::Yeoh(_) => ("YEOH".into(), law.values(), 3),
+        Law::Ogden(Ogden { terms }) => {
+            // There Σ 2 μ'i/αi² (…): μ'i = μi αi/2.
+            let constants = terms
+                .iter()
+                .flat_map(|(mu, alpha)| [0.5 * mu * alpha, *alpha]);
+            let n = terms.len();
+            (format!("OGDEN, N={n}"), constants.collect(), n)
+        }
+        _ => return None,
+    })
 }

@@ -242,7 +242,7 @@ impl<B: Body> Continuation<B> {
             let reached = match led {
                 Some(led) => led,
                 None if B::SETTINGS.take_unstable => {
-                    let reached = c.long_way(pressure, terminal, true);
+                    let reached = c.long_way(pressure, terminal);
                     reached.or_else(|end| {
                         // In a straight line of pressure and length.
                         c.body.rest();
@@ -259,16 +259,6 @@ impl<B: Body> Continuation<B> {
                 reached => reached,
             };
             reached.map_err(|end| (end, other_n))
-        })
-    }
-
-    /// The same without a neighbour or a guess: from rest, step by step.
-    pub fn walk_from_rest(&mut self, pressure: f64, contraction: f64) -> Result<()> {
-        self.question(pressure, contraction)?;
-        let terminal = -contraction * self.body.half_length();
-        self.within(pressure, contraction, |c| {
-            c.long_way(pressure, terminal, false)
-                .map_err(|end| (end, None))
         })
     }
 

@@ -21,9 +21,8 @@ pub trait NewtonSystem {
     /// Solves with the last tangent and moves on; gives the relative size of the correction.
     fn correct(&mut self) -> Result<f64>;
 
-    /// Takes back a share of the last correction: `keep` = ½ leaves half of it, and so on from
-    /// there.
-    fn retreat(&mut self, keep: f64);
+    /// Takes back half of the last correction, or of what is left of it.
+    fn retreat(&mut self);
 }
 
 /// An iterate, or why it is none.
@@ -160,7 +159,7 @@ fn linearise_on_way(
         match system.linearise() {
             Err(Stopped::Inverted | Stopped::NotFinite) if retreats < RETREATS => {
                 retreats += 1;
-                system.retreat(0.5);
+                system.retreat();
             }
             result => return result,
         }

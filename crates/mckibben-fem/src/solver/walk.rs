@@ -23,14 +23,13 @@ impl<B: Body> Continuation<B> {
         self.walk(pressure, terminal, B::SETTINGS.first_step)
     }
 
-    /// Goes to where the strands are taut, if `guess` from a guess, else from rest; then lets the
-    /// pressure down.
-    pub(super) fn long_way(&mut self, pressure: f64, terminal: f64, guess: bool) -> Walked {
+    /// Goes to where the strands are taut, from a guess or from rest; then lets the pressure down.
+    pub(super) fn long_way(&mut self, pressure: f64, terminal: f64) -> Walked {
         let taut = self
             .body
             .pulling_pressure(-terminal / self.body.half_length())
             .map_or(pressure, |p| pressure.max(TAUT * p));
-        if !(guess && taut > pressure && self.stable_guess(taut, terminal)) {
+        if !(taut > pressure && self.stable_guess(taut, terminal)) {
             self.restart(taut, terminal)?;
         }
         // Strands go slack one after the other: small steps.

@@ -275,8 +275,8 @@ impl NewtonSystem for Body {
         }
     }
 
-    fn retreat(&mut self, keep: f64) {
-        self.state.add(keep - 1.0, &self.step);
-        self.step.scale(keep);
+    fn retreat(&mut self) {
+        self.state.add(-0.5, &self.step);
+        self.step.scale(0.5);
     }
 }

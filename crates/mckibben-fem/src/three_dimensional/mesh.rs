@@ -92,16 +92,6 @@ pub enum Match {
     Angle,
 }
 
-/// Where the nodes of a ring lie.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Ring {
-    /// On the circle: the polygon is smaller.
-    #[default]
-    OnCircle,
-    /// Outside by as much as makes the polygon's area that of the circle.
-    EqualArea,
-}
-
 /// How one eighth is divided; what is `None` the program chooses.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct BrickSpec {
@@ -115,21 +105,21 @@ pub struct BrickSpec {
     pub along: Option<usize>,
     /// What is kept.
     pub keep: Match,
-    /// Where nodes lie: [`Ring::EqualArea`] for linear bricks, [`Ring::OnCircle`] for quadratic
-    /// ones and with [`Match::Angle`].
-    pub ring: Option<Ring>,
     /// The terminal as a body; without one it is the plane at the end.
     pub plug: Option<Plug>,
 }
 
 impl BrickSpec {
     /// Reads `12` (bricks around the quarter), `2x12` (through the wall x around) or `2x12x39` (x
-    /// along the half length); `:quadratic` behind it takes quadratic bricks, `:circle` puts the
-    /// nodes of linear ones on the circle. `None` where the text is none of them.
+    /// along the half length); `:quadratic` behind it takes quadratic bricks. `None` where the text
+    /// is none of them.
     pub fn parse(text: &str) -> Option<Self> {
-        let mut words = text.split(':').map(str::trim);
-        let counts = words
-            .next()?
+        let (counts, brick) = match text.split_once(':') {
+            None => (text, Brick::Linear),
+            Some((counts, word)) if word.trim() == "quadratic" => (counts, Brick::Quadratic),
+            Some(_) => return None,
+        };
+        let counts = counts
             .split('x')
             .map(|t| t.trim().parse().ok())
             .collect::<Option<Vec<_>>>()?;
@@ -139,34 +129,30 @@ impl BrickSpec {
             [t, a, l] => [Some(t), Some(a), Some(l)],
             _ => return None,
         };
-        let mut out = Self {
+        Some(Self {
+            brick,
             through,
             around,
             along,
             ..Self::default()
-        };
-        for word in words {
-            match word {
-                "circle" => out.ring = Some(Ring::OnCircle),
-                "quadratic" => out.brick = Brick::Quadratic,
-                _ => return None,
-            }
-        }
-        Some(out)
+        })
     }
 
-    fn ring(&self) -> Ring {
-        self.ring.unwrap_or(match (self.brick, self.keep) {
-            (Brick::Linear, Match::Length) => Ring::EqualArea,
-            _ => Ring::OnCircle,
-        })
+    /// Radius of the nodes over that of the circle with `cells` intervals a quarter: they lie on it,
+    /// those of linear bricks that keep the length outside, by as much as makes the polygon's area
+    /// that of the circle: √(x/sin x), x = π/(2·cells).
+    fn width(&self, cells: usize) -> f64 {
+        let x = FRAC_PI_2 / cells as f64;
+        match (self.brick, self.keep) {
+            (Brick::Linear, Match::Length) => (x / x.sin()).sqrt(),
+            _ => 1.0,
+        }
     }
 
     /// Of one cell of the outer grid with `cells` cells around the quarter: its width, and its
     /// height with strands at the braid's angle.
     fn cell(&self, tube: &Quarter, cells: usize) -> (f64, f64) {
-        let chord =
-            2.0 * self.ring().width(cells) * tube.outer_mm * (FRAC_PI_4 / cells as f64).sin();
+        let chord = 2.0 * self.width(cells) * tube.outer_mm * (FRAC_PI_4 / cells as f64).sin();
         (chord, chord / tube.angle_rad.tan())
     }
 
@@ -210,18 +196,6 @@ impl BrickSpec {
             (rows - rows.round()).abs()
         };
         candidates.min_by_number(over).unwrap_or(12)
-    }
-}
-
-impl Ring {
-    /// Radius of the nodes over that of the circle with `cells` intervals a quarter: a regular
-    /// polygon of the circle's area is wider by √(x/sin x), x = π/(2·cells).
-    fn width(self, cells: usize) -> f64 {
-        let x = FRAC_PI_2 / cells as f64;
-        match self {
-            Self::OnCircle => 1.0,
-            Self::EqualArea => (x / x.sin()).sqrt(),
-        }
     }
 }
 
@@ -334,7 +308,7 @@ impl BrickMesh {
         } else {
             height * (along * order) as f64
         };
-        let wide = spec.ring().width(around * order);
+        let wide = spec.width(around * order);
         let free = along * order;
         let elements = [through, around, along + bonded];
         let grid = elements.map(|n| n * order + 1);

@@ -31,7 +31,7 @@ pub use assembly::Assembled;
 pub use body::Body;
 pub use discretisation::Discretisation;
 pub use field::{Field, NodeField, PieceField};
-pub use mesh::{Brick, BrickMesh, BrickSpec, Match, Quarter, Ring};
+pub use mesh::{Brick, BrickMesh, BrickSpec, Match, Quarter};
 pub(crate) use model::ENTRY;
 pub use model::ThreeDimensional;
 pub use muscle::{MuscleInBricks, MuscleMesh};

@@ -27,14 +27,6 @@ pub const ENTRY: ModelEntry = ModelEntry {
 pub type ThreeDimensional = FiniteElements<MuscleMesh>;
 
 impl ThreeDimensional {
-    /// The model of a muscle with a mesh of the program's choice.
-    ///
-    /// # Errors
-    /// [`FemError`](crate::FemError) where the numbers give no valid mesh.
-    pub fn between_ends(muscle: &Muscle) -> Result<Self> {
-        Self::between_ends_with(muscle, &BrickSpec::default())
-    }
-
     /// The model of a muscle with a given mesh.
     ///
     /// # Errors

@@ -8,7 +8,10 @@ use mckibben_core::{
     random::{Random, rounds},
     rubber::{Law, NeoHookean, RubberLaw},
 };
-use mckibben_fem::{axisymmetric::Axisymmetric, three_dimensional::ThreeDimensional};
+use mckibben_fem::{
+    axisymmetric::Axisymmetric,
+    three_dimensional::{BrickSpec, ThreeDimensional},
+};
 use std::f64::consts::PI;
 
 fn muscle(angle_deg: f64, length_mm: f64) -> Muscle {
@@ -67,7 +70,7 @@ fn bricks_agree() {
             .unwrap()
             .force_n(&mut Workspace::new(), 0.2, e)
             .unwrap();
-        let bricks = ThreeDimensional::between_ends(&m)
+        let bricks = ThreeDimensional::between_ends_with(&m, &BrickSpec::default())
             .unwrap()
             .force_n(&mut Workspace::new(), 0.2, e)
             .unwrap();

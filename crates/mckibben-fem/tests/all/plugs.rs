@@ -7,7 +7,10 @@ use mckibben_core::{
     random::{Random, rounds},
     rubber::{Law, NeoHookean},
 };
-use mckibben_fem::{axisymmetric::Axisymmetric, three_dimensional::ThreeDimensional};
+use mckibben_fem::{
+    axisymmetric::Axisymmetric,
+    three_dimensional::{BrickSpec, ThreeDimensional},
+};
 
 fn muscle(stiffness: BraidStiffness) -> Muscle {
     let braid = Braid {
@@ -152,7 +155,7 @@ fn plugs_that_a_braid_or_bricks_do_not_have_are_refused() {
         .with(&PLUG_DIAMETER, 18.0)
         .unwrap();
     assert!(
-        ThreeDimensional::between_ends(&wide)
+        ThreeDimensional::between_ends_with(&wide, &BrickSpec::default())
             .unwrap_err()
             .to_string()
             .contains("terminals.plug_diameter")

@@ -8,7 +8,7 @@ use mckibben_core::{
 use mckibben_fem::{
     axisymmetric::{Axisymmetric, Body, Discretisation, Ends, Mesh, Problem},
     solver::continuation::Continuation,
-    three_dimensional::{Brick, ThreeDimensional},
+    three_dimensional::{Brick, BrickSpec, ThreeDimensional},
 };
 use std::f64::consts::PI;
 
@@ -51,7 +51,7 @@ fn at_rest_it_pulls_as_in_a_tension_test() {
             (fe / (stress * section) - 1.0).abs() < 1e-8,
             "{stretch}: {fe}"
         );
-        let bricks = ThreeDimensional::between_ends(&m)
+        let bricks = ThreeDimensional::between_ends_with(&m, &BrickSpec::default())
             .unwrap()
             .force_n(&mut Workspace::new(), 0.0, 0.0)
             .unwrap();
@@ -147,7 +147,7 @@ fn slopes_are_those_of_differences_and_maxwell_holds() {
 fn bricks_err_as_they_do_without_a_prestretch() {
     let differ = |stretch: f64| {
         let m = muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.4 }), stretch);
-        let bricks = ThreeDimensional::between_ends(&m).unwrap();
+        let bricks = ThreeDimensional::between_ends_with(&m, &BrickSpec::default()).unwrap();
         assert_eq!(bricks.divided.mesh.brick, Brick::Linear);
         let three = bricks.force_n(&mut Workspace::new(), 0.25, 0.1).unwrap();
         three

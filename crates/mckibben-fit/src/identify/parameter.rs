@@ -118,49 +118,6 @@ impl Target {
         }
     }
 
-    /// Whether it is a constant of the rubber law, or the factor on its moduli.
-    #[doc(hidden)]
-    pub fn is_of_law(self) -> bool {
-        matches!(self, Law(_) | Modulus)
-    }
-
-    /// Whether it is a constant of the law of the friction.
-    #[doc(hidden)]
-    pub fn is_of_friction(self) -> bool {
-        matches!(self, Target::Measure(m) if m.section() == "friction")
-    }
-
-    /// How a measure is identified.
-    #[doc(hidden)]
-    pub fn identify(self) -> Option<&'static Identify> {
-        match self {
-            Target::Measure(m) => m.identify.as_ref(),
-            _ => None,
-        }
-    }
-
-    /// A half-width of the 95 % interval above this means that the data do not determine it, at a
-    /// value `v`: half of the shear modulus at rest for the moduli of the law, half of the value for
-    /// most others; less for what a ruler measures.
-    #[doc(hidden)]
-    pub fn limit(self, muscle: &Muscle, v: f64) -> f64 {
-        match self {
-            Law(i) if constant(muscle, i).is_some_and(|c| c.constant.is_modulus()) => {
-                0.5 * muscle.tube().rubber.law.shear_modulus_mpa()
-            }
-            other => other.identify().map_or(0.5 * v.abs(), |i| i.limit(v)),
-        }
-    }
-
-    /// A change that matters to a search from a value `v`.
-    #[doc(hidden)]
-    pub fn scale(self, muscle: &Muscle, v: f64) -> f64 {
-        match self.limit(muscle, v) {
-            limit if limit > 0.0 => limit,
-            _ => 1.0,
-        }
-    }
-
     /// A name with a value: `name=value`, a quantity with a unit if you like.
     ///
     /// # Errors
@@ -182,6 +139,47 @@ impl Target {
         match *numbers.as_slice() {
             [low, high] if low < high => Ok((target, (low, high))),
             _ => Err(form(text, "name=low:high")),
+        }
+    }
+}
+
+#[doc(hidden)]
+impl Target {
+    /// Whether it is a constant of the rubber law, or the factor on its moduli.
+    pub fn is_of_law(self) -> bool {
+        matches!(self, Law(_) | Modulus)
+    }
+
+    /// Whether it is a constant of the law of the friction.
+    pub fn is_of_friction(self) -> bool {
+        matches!(self, Target::Measure(m) if m.section() == "friction")
+    }
+
+    /// How a measure is identified.
+    pub fn identify(self) -> Option<&'static Identify> {
+        match self {
+            Target::Measure(m) => m.identify.as_ref(),
+            _ => None,
+        }
+    }
+
+    /// A half-width of the 95 % interval above this means that the data do not determine it, at a
+    /// value `v`: half of the shear modulus at rest for the moduli of the law, half of the value for
+    /// most others; less for what a ruler measures.
+    pub fn limit(self, muscle: &Muscle, v: f64) -> f64 {
+        match self {
+            Law(i) if constant(muscle, i).is_some_and(|c| c.constant.is_modulus()) => {
+                0.5 * muscle.tube().rubber.law.shear_modulus_mpa()
+            }
+            other => other.identify().map_or(0.5 * v.abs(), |i| i.limit(v)),
+        }
+    }
+
+    /// A change that matters to a search from a value `v`.
+    pub fn scale(self, muscle: &Muscle, v: f64) -> f64 {
+        match self.limit(muscle, v) {
+            limit if limit > 0.0 => limit,
+            _ => 1.0,
         }
     }
 }

@@ -97,7 +97,7 @@ impl Shown {
         match self.target {
             Some(target) => target.name(base),
             None if self.constant == Constant::Friction => "friction_share".to_owned(),
-            None => self.constant.word().to_owned(),
+            None => self.constant.to_string(),
         }
     }
 

@@ -338,8 +338,7 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>> {
     let walls = table.above_zero(Wall, MEASURE)?;
     let angles = table.above_zero(Angle, MEASURE)?;
     let branches = Direction::ALL.into_iter();
-    let branches =
-        branches.flat_map(|d| spoken(&format!("branch_{}", d.name())).map(move |word| (word, d)));
+    let branches = branches.flat_map(|d| spoken(&format!("branch_{d}")).map(move |word| (word, d)));
     let branches: Vec<(&str, Direction)> = branches.collect();
     let one = |(row, line): (usize, u64)| {
         cancel::check()?;

@@ -6,7 +6,8 @@ use super::{
 };
 use crate::least_squares::{Errors, aicc, t95};
 use mckibben_core::rubber::{
-    ConstantValue, Form, Law, LawConstants, Ogden, RubberLaw, is_stable_at, muscle_unstable_from,
+    ConstantValue, Form, Law, LawConstants, MooneyRivlin, Ogden, RubberLaw, is_stable_at,
+    muscle_unstable_from,
 };
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
@@ -170,10 +171,12 @@ impl FittedLaw {
 
     /// How the law is held stable, where it is; in words behind its name.
     pub fn stability_words(&self) -> &'static str {
-        match self.form.kind().held_positive {
-            Some(words) => words,
-            None if self.law.locks_at().is_some() => "with a limit beyond the muscle's stretches",
-            None => "among its stable laws",
+        if self.form.law() == MooneyRivlin::NAME {
+            "with C01 not below 0"
+        } else if self.law.locks_at().is_some() {
+            "with a limit beyond the muscle's stretches"
+        } else {
+            "among its stable laws"
         }
     }
 }

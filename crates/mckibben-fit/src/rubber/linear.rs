@@ -20,7 +20,7 @@ use super::{
 use crate::least_squares::{Residuals, Unknown, estimate};
 use mckibben_core::{
     by_number::ByNumber,
-    rubber::{Form, Law, RubberLaw, log_hessian, muscle_states},
+    rubber::{Form, Law, LawConstants, MooneyRivlin, RubberLaw, log_hessian, muscle_states},
 };
 
 /// The columns ∂P/∂c over the divisors.
@@ -98,8 +98,7 @@ pub fn stable(form: Form, basis: &[Law], problem: &Problem, hoop_stretch: f64) -
                 .collect()
         })
         .collect();
-    let positive = form.kind().held_positive.is_some();
-    let mut cuts = if positive {
+    let mut cuts = if form.law() == MooneyRivlin::NAME {
         Inequality::positive(basis.len())
     } else {
         vec![]

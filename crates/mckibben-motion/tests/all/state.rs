@@ -1,10 +1,7 @@
 //! The numbers of a state in their places.
 
 use mckibben_core::{model::Ideal, muscle::Muscle};
-use mckibben_motion::{
-    state::{Layout, State},
-    *,
-};
+use mckibben_motion::{state::Layout, *};
 
 #[test]
 fn every_number_of_a_state_has_one_place() {
@@ -57,22 +54,4 @@ fn every_number_of_a_state_has_one_place() {
     let mut written = vec![0.0; layout.len];
     state.write(&mut written);
     assert_eq!(written, numbers);
-}
-
-#[test]
-fn a_state_of_another_drive_is_refused() {
-    let model = Ideal::between_ends(&Muscle::prototype());
-    let load = SingleMuscle::hanging(&model, 1.0);
-    let muscle = Actuated::new(
-        model.clone(),
-        Actuator::Regulator {
-            time_constant_s: 0.1,
-        },
-    );
-    let target = Commanded::Pressure(vec![Command::Constant(0.1)]);
-    let layout = Layout::new(&Drive::new(load.clone(), vec![muscle], target, 1.0));
-    assert!(matches!(
-        layout.check(&mut State::default()),
-        Err(MotionError::Refused(_))
-    ));
 }

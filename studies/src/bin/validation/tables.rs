@@ -126,7 +126,7 @@ pub fn branches(all: &[&Fitted<'_>]) -> String {
         .flat_map(|of| of.groups.iter().map(move |g| (of, g)));
     let rows = groups.flat_map(|(of, group)| {
         group.branches.iter().map(|(branch, e)| {
-            let names = [&of.fit.name, &group.of, branch.name()].map(|name| name.to_string());
+            let names = [of.fit.name.clone(), group.of.clone(), branch.to_string()];
             [&names[..], &[yes(group.blind)], &errors(e)].concat()
         })
     });

@@ -11,7 +11,6 @@
 //! ```
 
 mod axis;
-mod builder;
 mod keys;
 mod read;
 mod sampling;
@@ -22,7 +21,6 @@ mod vary;
 mod tests;
 
 pub use axis::{Axis, Inputs, PlanRubber, rounded};
-pub use builder::PlanBuilder;
 pub use keys::PlanKeys;
 pub use sampling::{Sampling, SamplingMethod};
 

@@ -12,13 +12,12 @@ use mckibben_core::{
     extremes::peak,
     muscle::{
         Rubber,
-        file::{FileError, MuscleFile, Source, read_text},
+        file::{FileError, MuscleFile, Source},
     },
     rubber::library,
     units::typed::{Choice, Quantity},
 };
 use mckibben_fem::elements::Elements;
-use std::path::Path;
 
 /// A higher pressure has its unit, lest bars were meant.
 const HIGHEST_BARE_MPA: f64 = 2.0;
@@ -116,16 +115,6 @@ impl Plan {
         }
     }
 
-    /// Reads a plan file.
-    pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
-        let path = path.as_ref();
-        read_text(path)
-            .and_then(|text| Self::parse(&text))
-            .map_err(|e| e.in_file(path))
-    }
-}
-
-impl Plan {
     /// One law for all muscles of a named rubber whose law follows the muscle: that for the largest
     /// reach among them, of larger plans among [`REACHES`] of them.
     fn take_laws(&mut self) -> Result<(), String> {

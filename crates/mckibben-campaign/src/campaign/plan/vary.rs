@@ -23,7 +23,7 @@ const EITHER: [(&str, &str); 3] = [
 ];
 
 /// The key of what a varied quantity stands in place of: its own, or that of which it is a ratio.
-pub fn stated_key(key: &str) -> &str {
+fn stated_key(key: &str) -> &str {
     EITHER
         .iter()
         .find(|pair| pair.1 == key)

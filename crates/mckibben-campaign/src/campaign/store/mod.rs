@@ -20,7 +20,7 @@ pub mod table;
 pub use forecast::{Forecast, forecast};
 pub use merge::{Merged, merge};
 pub use provenance::Provenance;
-pub use read::{Rows, read, rows};
+pub use read::{Rows, rows};
 pub use resume::Recomputed;
 pub use run::{CampaignOutcome, Counts, RunOptions, run};
 pub use shard::Shard;

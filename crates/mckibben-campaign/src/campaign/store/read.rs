@@ -50,8 +50,3 @@ pub fn rows(path: impl AsRef<Path>) -> Result<Rows> {
         rows: Box::new(opened.rows()),
     })
 }
-
-/// All rows of a campaign, file or folder of parts.
-pub fn read(path: impl AsRef<Path>) -> Result<Vec<PointRow>> {
-    rows(path)?.collect()
-}

@@ -6,7 +6,8 @@ mod damage;
 mod rows;
 mod same_bytes;
 
-use super::*;
+use super::{error::Result, *};
+use crate::PointRow;
 use mckibben_core::{
     progress::{Progress, Silent},
     status::Status,
@@ -36,6 +37,10 @@ fn share(text: &str) -> RunOptions {
         shard: Some(text.parse().unwrap()),
         ..RunOptions::default()
     }
+}
+
+fn read(path: impl AsRef<Path>) -> Result<Vec<PointRow>> {
+    rows(path)?.collect()
 }
 
 fn bytes(path: &Path) -> Vec<u8> {

@@ -1,7 +1,7 @@
 //! What is in the rows.
 
 use super::*;
-use crate::{PointRow, campaign::plan::rounded};
+use crate::campaign::plan::rounded;
 use mckibben_core::model::Workspace;
 use mckibben_fem::simulation::Given;
 

@@ -13,11 +13,17 @@ pub fn is_zero(n: &u8) -> bool {
     *n == 0
 }
 
-pub fn up_to<'de, const MOST: u8, D: Deserializer<'de>>(d: D) -> Result<u8, D::Error> {
+pub fn power<'de, D: Deserializer<'de>>(d: D) -> Result<u8, D::Error> {
     let n = u8::deserialize(d)?;
-    let expected = format!("a whole number from 0 to {MOST}");
-    let wrong = || D::Error::invalid_value(Unexpected::Unsigned(n.into()), &expected.as_str());
-    if n <= MOST { Ok(n) } else { Err(wrong()) }
+    let wrong = Unexpected::Unsigned(n.into());
+    if n <= 20 {
+        Ok(n)
+    } else {
+        Err(D::Error::invalid_value(
+            wrong,
+            &"a whole number from 0 to 20",
+        ))
+    }
 }
 
 pub fn name<'de, D: Deserializer<'de>>(d: D) -> Result<String, D::Error> {

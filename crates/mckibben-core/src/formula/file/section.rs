@@ -1,7 +1,7 @@
 //! The files of formulas for muscles of one make: the paper's, and sums of products of powers.
 
 use super::{
-    check::{is_zero, name, up_to},
+    check::{is_zero, name, power},
     head::{Format, Kind, Read, read},
 };
 use crate::formula::{
@@ -51,7 +51,7 @@ pub struct GlobalTerm {
 }
 
 /// Powers of x, p, e, d; those of zero are omitted.
-#[serde_with_macros::apply(crate = "serde_with_macros", u8 => #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<20, _>")])]
+#[serde_with_macros::apply(crate = "serde_with_macros", u8 => #[serde(skip_serializing_if = "is_zero", deserialize_with = "power")])]
 #[derive(Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields, expecting = "an object")]
 struct Powers {

@@ -1,7 +1,7 @@
 //! The file of a formula for muscles of every make.
 
 use super::{
-    check::{is_zero, name, up_to},
+    check::{is_zero, name},
     head::{Format, Kind, Read, read},
 };
 use crate::formula::{
@@ -48,7 +48,7 @@ struct EndTerm {
 }
 
 /// Powers of the variables; those of zero are omitted.
-#[serde_with_macros::apply(crate = "serde_with_macros", u8 => #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ UniversalTerm::HIGHEST }, _>")])]
+#[serde_with_macros::apply(crate = "serde_with_macros", u8 => #[serde(skip_serializing_if = "is_zero")])]
 #[derive(Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields, expecting = "an object")]
 struct EndPowers {
@@ -111,6 +111,11 @@ fn formula(file: UniversalFile) -> Read<UniversalFormula> {
     {
         let powers = [p.wall, p.angle, p.slope, p.modulus, p.strain];
         let term = UniversalTerm { powers, value };
+        if powers.into_iter().map(u32::from).sum::<u32>() > 2 {
+            let name = formula.term_name(&term);
+            let why = format!("`terms`: the term {name} has more than two factors");
+            return Err(FormulaError::new(why));
+        }
         if formula.terms.iter().any(|t| t.powers == powers) {
             return Err(FormulaError::twice(&formula.term_name(&term)));
         }

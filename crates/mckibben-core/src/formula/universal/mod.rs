@@ -57,13 +57,8 @@ impl UniversalErrors {
     }
 }
 
-/// One term, in the variables S, A, N, M and E.
+/// One term, in the variables S, A, N, M and E: of second degree at most.
 pub type UniversalTerm = Term<5>;
-
-impl UniversalTerm {
-    /// Highest power of a variable.
-    pub const HIGHEST: u8 = 6;
-}
 
 /// A universal formula with all that is known of it; it is written as its file.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -1,10 +1,7 @@
 //! Results of the thick-wall model, and its own inverses and derivatives.
 
 use super::ThickWall;
-use crate::{
-    model::{ForceModel, ModelInfo, Response, Result, Workspace},
-    muscle::EndFactor,
-};
+use crate::model::{ForceModel, ModelInfo, Response, Result, Workspace};
 use std::f64::consts::PI;
 
 impl ForceModel for ThickWall {
@@ -43,19 +40,6 @@ impl ForceModel for ThickWall {
 
     /// In closed form where strands do not stretch, else by Newton's method for the radius. A tube
     /// pushes as hard at a lower pressure, with its strands slack.
-    fn pressure_at_pull(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
-        if force_n < 0.0
-            || matches!(
-                self.info.muscle.terminals().end_factor,
-                Some(EndFactor::OfPressure { .. })
-            )
-        {
-            return None;
-        }
-        let (l, _, _) = self.stretch(0.0, contraction);
-        self.pressure_for(force_n, l)
-    }
-
     fn contact_n_per_mm(
         &self,
         _: &mut Workspace,

@@ -316,46 +316,6 @@ impl ThickWall {
         })
     }
 
-    /// The pressure at which the pull is `force` at a stretch, with the strands taut.
-    ///
-    /// ∂Π/∂r = 0 and F = ∂Π/∂λ are both linear in P; without it they leave one equation in r: ∂(W +
-    /// B)/∂λ − (r/2λ) ∂(W + B)/∂r = F, and P = ∂(W + B)/∂r/(2π r λ). `None` where Newton's method
-    /// does not reach a taut root within a few steps; the general search takes over then.
-    pub(super) fn pressure_for(&self, force: f64, l: f64) -> Option<f64> {
-        let taut = self.pantograph(l);
-        if l.is_nan() || l <= 0.0 || self.wall.bore2(l, taut) <= 0.0 {
-            return None;
-        }
-        let Some(k) = self.k else {
-            let w = self.wall.energy(&self.law, l, taut);
-            let rest = self.rigid(0.0, l, taut, &w, 0.0);
-            let p = (force - rest.force) / rest.force_p;
-            let tight = 2.0 * PI * taut * l * p >= w.r || self.compression;
-            let is_taut = rest.force_p > 0.0 && p >= 0.0 && p.is_finite() && tight;
-            return is_taut.then_some(p);
-        };
-        let mut r = taut * 1.002;
-        for _ in 0..25 {
-            let e = self.energy(l, r);
-            let value = e.l - 0.5 * r / l * e.r - force;
-            let slope = e.lr - 0.5 / l * (e.r + r * e.rr);
-            let step = -value / slope;
-            if !(slope > 0.0 && step.is_finite()) {
-                return None;
-            }
-            r = (r + step).max(taut);
-            if step.abs() < 1e-13 * r {
-                let trial = self.trial(k, 0.0, l, r);
-                let e = trial.energy;
-                let strain = trial.strain;
-                let p = e.r / (2.0 * PI * r * l);
-                let stable = e.rr > 2.0 * PI * l * p && strain < LARGEST_STRAND_STRETCH - 1.0;
-                return (strain > 0.0 && stable && p >= 0.0).then_some(p);
-            }
-        }
-        None
-    }
-
     pub(super) fn finite(&self, w: WallEnergy, l: f64, r: f64) -> Result<WallEnergy> {
         if w.l.is_finite() && w.r.is_finite() && w.ll.is_finite() {
             Ok(w)

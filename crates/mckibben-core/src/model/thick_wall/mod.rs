@@ -28,7 +28,7 @@ pub use equilibrium::State;
 
 use super::{Accuracy, ModelEntry, ModelInfo, Reference, Result, Wall, notes};
 use crate::{
-    muscle::{Crimp, EndFactor, Muscle},
+    muscle::{Crimp, Muscle},
     rubber::Law,
 };
 
@@ -72,8 +72,8 @@ pub struct ThickWall {
     sin2: f64,
     cos2: f64,
     /// k of one family; `None`: inextensible
-    k: Option<f64>,
-    compression: bool,
+    pub(super) k: Option<f64>,
+    pub(super) compression: bool,
 }
 
 impl ThickWall {
@@ -145,16 +145,6 @@ impl ThickWall {
         (self.sin2, self.cos2)
     }
 
-    /// Stiffness of one strand family in N/mm; `None` where strands do not stretch.
-    pub(super) fn stiffness(&self) -> Option<f64> {
-        self.k
-    }
-
-    /// Whether strands carry compression.
-    pub(super) fn strands_push(&self) -> bool {
-        self.compression
-    }
-
     /// Largest principal stretch of the wall at an axial stretch and outer radius.
     pub(super) fn largest_stretch(&self, l: f64, r: f64) -> f64 {
         self.wall.largest_stretch(l, r)
@@ -186,12 +176,12 @@ impl ThickWall {
         match self.info.muscle.terminals().end_factor {
             None => (1.0 - contraction, -1.0, 0.0),
             Some(k) => {
-                let slope = if matches!(k, EndFactor::Constant(_)) {
-                    0.0
-                } else {
-                    -k.slope(p) * contraction
-                };
-                (1.0 - k.at(p) * contraction, -k.at(p), slope)
+                let factor = k.at(p);
+                (
+                    1.0 - factor * contraction,
+                    -factor,
+                    -k.slope(p) * contraction,
+                )
             }
         }
     }

@@ -52,7 +52,7 @@ impl Universal {
         let ro2 = ro * ro;
         // Strands carry the pressure less what a thin neo-Hookean wall takes: ∂B/∂q = ½c (1 −
         // 1/λf).
-        let by = 2.0 * ro2 / (4.0 * PI * ro * wall.stiffness().unwrap_or(0.0) * sin2);
+        let by = 2.0 * ro2 / (4.0 * PI * ro * wall.k.unwrap_or(0.0) * sin2);
         let squared = |l: f64, x: f64| {
             let hoop = l * (x - 0.5 * section / l) / (ro2 - 0.5 * section);
             let share = (PI * l * p - self.wall_modulus * (1.0 - 1.0 / (hoop * hoop))) * by;
@@ -78,7 +78,7 @@ impl Universal {
 
     /// Whether there is something to couple: strands that stretch.
     pub(super) fn is_coupled(&self) -> bool {
-        self.zone.wall.stiffness().is_some() && self.zone.wall.is_plain()
+        self.zone.wall.k.is_some() && self.zone.wall.is_plain()
     }
 
     /// The root at a pressure and contraction.
@@ -101,7 +101,7 @@ impl Universal {
             let dx = -value / e.xx;
             let x_l = -(e.lx - PI * p) / e.xx;
             let x1 = x + dx;
-            if !(e.xx > 0.0 && x1 * l > section && (e.strand > 1.0 || wall.strands_push())) {
+            if !(e.xx > 0.0 && x1 * l > section && (e.strand > 1.0 || wall.compression)) {
                 return None;
             }
             let r = x1.sqrt();

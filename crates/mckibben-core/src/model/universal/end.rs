@@ -244,7 +244,7 @@ impl EndZone {
         let (sin2, cos2) = self.wall.squares();
         let at = r.v / self.ro;
         let taut = self.wall.taut_stretch(r.v);
-        if self.wall.stiffness().is_some() {
+        if self.wall.k.is_some() {
             // The strands here are about as long as those of the middle.
             let strand2 = cos2 * l * l + sin2 * (state.r / self.ro).powi(2);
             return self.stretched(

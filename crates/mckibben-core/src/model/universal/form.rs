@@ -18,16 +18,15 @@ use std::array::from_fn;
 /// A deficit with a muscle's S and A put in: a polynomial in the other three variables.
 #[derive(Debug, Clone)]
 pub struct Bound {
-    terms: Vec<([usize; 3], f64)>,
-    /// 1, x, y, z, x², xy, xz, y², yz, z² where there are no other terms.
-    second: Option<[f64; 10]>,
+    /// Of 1, x, y, z, x², xy, xz, y², yz, z².
+    sum: [f64; 10],
     /// S
     wall: f64,
     ro: f64,
 }
 
-/// The products of [`Bound`]'s second degree, in its order.
-const SECOND: [[usize; 3]; 10] = [
+/// The products of [`Bound`], of second degree and less, in its order.
+const SECOND: [[i32; 3]; 10] = [
     [0, 0, 0],
     [1, 0, 0],
     [0, 1, 0],
@@ -48,28 +47,15 @@ struct Inner<const N: usize> {
 
 impl Bound {
     pub fn new(formula: &[UniversalTerm], ro: f64, wall: f64, angle: f64) -> Self {
-        let mut terms: Vec<([usize; 3], f64)> = vec![];
+        let mut sum = [0.0; 10];
         for t in formula {
-            let [a, b, rest @ ..] = t.powers.map(|n| n.min(UniversalTerm::HIGHEST));
-            let value = t.value * wall.powi(i32::from(a)) * angle.powi(i32::from(b));
-            let powers = rest.map(usize::from);
-            match terms.iter_mut().find(|q| q.0 == powers) {
-                Some(q) => q.1 += value,
-                None => terms.push((powers, value)),
+            let [a, b, rest @ ..] = t.powers.map(i32::from);
+            let place = SECOND.iter().position(|powers| *powers == rest);
+            if let Some(i) = place {
+                sum[i] += t.value * wall.powi(a) * angle.powi(b);
             }
         }
-        let coefficient =
-            |powers: &[usize; 3]| terms.iter().find(|t| t.0 == *powers).map_or(0.0, |t| t.1);
-        let second = terms
-            .iter()
-            .all(|t| t.0.iter().sum::<usize>() <= 2)
-            .then(|| SECOND.map(|powers| coefficient(&powers)));
-        Self {
-            terms,
-            second,
-            wall,
-            ro,
-        }
+        Self { sum, wall, ro }
     }
 
     /// δ in mm, and the end, from guesses of λs at its sections.
@@ -131,49 +117,15 @@ impl Bound {
     #[inline(always)]
     fn sum<const N: usize>(&self, x: [Dual<N>; 3]) -> Dual<N> {
         let [a, b, c] = x;
-        let (v, by) = match &self.second {
-            Some(s) => second(s, [a.v, b.v, c.v]),
-            None => self.any([a.v, b.v, c.v]),
-        };
+        let (v, by) = second(&self.sum, [a.v, b.v, c.v]);
         Dual::new(
             v,
             from_fn(|i| by[0] * a.by[i] + by[1] * b.by[i] + by[2] * c.by[i]),
         )
     }
-
-    /// The sum and its slopes.
-    fn any(&self, x: [f64; 3]) -> (f64, [f64; 3]) {
-        const N: usize = UniversalTerm::HIGHEST as usize + 1;
-        let powers = x.map(|x| {
-            let mut list = [1.0; N];
-            for i in 1..N {
-                list[i] = list[i - 1] * x;
-            }
-            list
-        });
-        let slope = |i: usize, n: usize| {
-            if n == 0 {
-                0.0
-            } else {
-                n as f64 * powers[i][n - 1]
-            }
-        };
-        let mut v = 0.0;
-        let mut by = [0.0; 3];
-        for &([a, b, c], value) in &self.terms {
-            let xa = powers[0][a];
-            let xb = powers[1][b];
-            let xc = powers[2][c];
-            v += value * xa * xb * xc;
-            by[0] += value * slope(0, a) * xb * xc;
-            by[1] += value * xa * slope(1, b) * xc;
-            by[2] += value * xa * xb * slope(2, c);
-        }
-        (v, by)
-    }
 }
 
-/// The same for terms of second degree and less.
+/// The sum and its slopes.
 #[inline(always)]
 fn second(s: &[f64; 10], [x, y, z]: [f64; 3]) -> (f64, [f64; 3]) {
     let by_x = s[1] + 2.0 * s[4] * x + s[5] * y + s[6] * z;

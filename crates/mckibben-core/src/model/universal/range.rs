@@ -1,11 +1,6 @@
 //! The box of a universal formula for one muscle.
 
-use crate::{
-    formula::UniversalRange,
-    model::{Interval, ModelRange, Quantity},
-    muscle::Muscle,
-    rubber::RubberLaw,
-};
+use crate::{formula::UniversalRange, model::ModelRange, muscle::Muscle, rubber::RubberLaw};
 
 /// The box of a muscle.
 pub fn model_range(range: &UniversalRange, muscle: &Muscle) -> ModelRange {
@@ -21,21 +16,21 @@ pub fn model_range(range: &UniversalRange, muscle: &Muscle) -> ModelRange {
         contraction: (low * ideal, (1e5 * high * ideal).ceil() / 1e5),
         ..ModelRange::open()
     }
-    .with_measures(&[
+    .with_measures([
+        (("wall_ratio", ""), range.wall_ratio, muscle.wall_mm() / d0),
         (
-            Interval::new(Quantity::WALL_RATIO, range.wall_ratio),
-            muscle.wall_mm() / d0,
-        ),
-        (
-            Interval::new(Quantity::LENGTH_RATIO, range.length_ratio),
+            ("length_ratio", ""),
+            range.length_ratio,
             muscle.length_mm() / d0,
         ),
         (
-            Interval::new(Quantity::BRAID_ANGLE, range.angle_deg),
+            ("braid_angle", "deg"),
+            range.angle_deg,
             muscle.braid().angle_deg,
         ),
         (
-            Interval::new(Quantity::C01_SHARE, range.c01_share),
+            ("c01_share", ""),
+            range.c01_share,
             UniversalRange::c01_share_of(muscle),
         ),
     ])

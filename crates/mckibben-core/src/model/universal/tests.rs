@@ -290,11 +290,7 @@ fn the_box_names_what_is_outside() {
         BraidStiffness::NewtonPerMm(100.0),
     );
     let range = ModelKind::Universal.build(&m).unwrap().info().range.clone();
-    let names: Vec<&str> = range
-        .muscle
-        .iter()
-        .map(|v| v.interval.quantity.name)
-        .collect();
+    let names: Vec<&str> = range.muscle.iter().map(|v| v.quantity.0).collect();
     assert_eq!(names, ["wall_ratio", "length_ratio", "braid_angle"]);
     // 4 sin²θ0 k/D0 · 6 %: 0.6 MPa, below 5 μ.
     assert!(

@@ -2,13 +2,20 @@
 
 use crate::muscle::{Crimp, Friction, MeasuredStrand, Parts, Strands};
 
-/// A measure that stands in a field of a part, by the path of the field.
+/// A measure that stands in a field of a part, by the path of the field; not stated where the field
+/// has its usual value.
 macro_rules! stated {
     ($($field:ident).+) => {
         Measure {
             get: |p| Some(p.$($field).+),
             set: |p, v| p.$($field).+ = v,
             ..Measure::NONE
+        }
+    };
+    ($($field:ident).+, unless $usual:literal) => {
+        Measure {
+            get: |p| Some(p.$($field).+).filter(|v| *v != $usual),
+            ..stated!($($field).+)
         }
     };
 }
@@ -19,27 +26,6 @@ macro_rules! optional {
         Measure {
             get: |p| p.$($field).+,
             set: |p, v| p.$($field).+ = Some(v),
-            ..Measure::NONE
-        }
-    };
-}
-
-/// The same of a field that is stated where it is another than its usual value.
-macro_rules! changed {
-    ($usual:literal, $($field:ident).+) => {
-        Measure {
-            get: |p| Some(p.$($field).+).filter(|v| *v != $usual),
-            ..stated!($($field).+)
-        }
-    };
-}
-
-/// The same of a strand.
-macro_rules! of_strand {
-    ($field:ident) => {
-        Measure {
-            get: |p| p.braid.strands?.$field,
-            set: |p, v| strands(p).$field = Some(v),
             ..Measure::NONE
         }
     };

@@ -99,9 +99,6 @@ impl Bounds {
 #[derive(Debug, Clone, Copy)]
 enum Scale {
     One,
-    /// D0
-    Diameter,
-    Bore,
     /// L0
     Length,
     /// L0 over the pull of the ideal muscle at 3 bar and rest length, the size of its pulls.
@@ -112,8 +109,6 @@ impl Scale {
     fn times(self, factor: f64, muscle: &Muscle) -> f64 {
         match self {
             Self::One => factor,
-            Self::Diameter => factor * muscle.outer_diameter_mm(),
-            Self::Bore => factor * muscle.inner_diameter_mm(),
             Self::Length => factor * muscle.length_mm(),
             Self::LengthPerPull => {
                 factor * muscle.length_mm() / Ideal::between_ends(muscle).pull(0.3, 0.0)
@@ -132,8 +127,6 @@ pub struct Identify {
     bounds: (f64, f64),
     limit: Option<f64>,
     share: f64,
-    /// Whether it is a size of the muscle, as a ruler measures it.
-    pub is_geometry: bool,
 }
 
 impl Identify {
@@ -145,7 +138,6 @@ impl Identify {
         bounds: (0.0, f64::INFINITY),
         limit: None,
         share: 0.5,
-        is_geometry: false,
     };
 
     /// Of a measure that is sought from a number on, within bounds.
@@ -156,12 +148,6 @@ impl Identify {
             ..Self::UNKNOWN
         }
     }
-
-    /// Of a size of the muscle.
-    const GEOMETRY: Self = Self {
-        is_geometry: true,
-        ..Self::UNKNOWN
-    };
 
     /// Start of the search for a muscle that does not state it.
     pub fn start(&self, muscle: &Muscle) -> Option<f64> {

@@ -10,9 +10,8 @@ use crate::{
     units::Dimension::*,
 };
 
-/// What measures that stand together say where one is missing.
-const BOTH_OF_STRAND: &str = "a strand measured on the muscle has both its length and its turns";
-const BOTH_OF_FRICTION: &str = "friction is C·P^β: coefficient C in N/MPa^β and exponent β";
+const MEASURED_STRAND: &str = "a strand measured on the muscle has both its length and its turns";
+const POWER_LAW: &str = "friction is C·P^β: coefficient C in N/MPa^β and exponent β";
 
 measures! {
     /// D0
@@ -26,7 +25,7 @@ measures! {
         dimension: Length,
         identify: Some(Identify {
             share: 0.1,
-            ..Identify::GEOMETRY
+            ..Identify::UNKNOWN
         }),
         ..stated!(tube.outer_diameter_mm)
     }
@@ -40,11 +39,7 @@ measures! {
         about: "Wall thickness s of the tube at rest",
         short: Some('s'),
         dimension: Length,
-        identify: Some(Identify {
-            scale: Scale::Diameter,
-            bounds: (0.0, 0.5),
-            ..Identify::GEOMETRY
-        }),
+        identify: Some(Identify::UNKNOWN),
         ..stated!(tube.wall_mm)
     }
 
@@ -58,7 +53,7 @@ measures! {
         comment: "between the terminals",
         short: Some('L'),
         dimension: Length,
-        identify: Some(Identify::GEOMETRY),
+        identify: Some(Identify::UNKNOWN),
         ..stated!(tube.length_mm)
     }
 
@@ -90,10 +85,9 @@ measures! {
         digested: true,
         identify: Some(Identify {
             also: &["prestretch"],
-            limit: Some(0.05),
-            ..Identify::from(1.02, (0.5, 2.0))
+            ..Identify::UNKNOWN
         }),
-        ..changed!(1.0, tube.prestretch)
+        ..stated!(tube.prestretch, unless 1.0)
     }
 
     /// T
@@ -126,7 +120,7 @@ measures! {
         identify: Some(Identify {
             bounds: (1.0, 54.23561031724535),
             limit: Some(3.0),
-            ..Identify::GEOMETRY
+            ..Identify::UNKNOWN
         }),
         ..stated!(braid.angle_deg)
     }
@@ -218,9 +212,7 @@ measures! {
         digested: true,
         identify: Some(Identify {
             also: &["plug-diameter"],
-            scale: Scale::Bore,
-            share: 0.1,
-            ..Identify::from(1.0, (0.5, 2.0))
+            ..Identify::UNKNOWN
         }),
         ..optional!(terminals.plug_diameter_mm)
     }
@@ -262,7 +254,6 @@ measures! {
         identify: Some(Identify {
             also: &["end-factor"],
             start: Some(1.0),
-            share: 0.2,
             ..Identify::UNKNOWN
         }),
         get: |p| p.terminals.end_factor.map(|k| k.at(0.0)),
@@ -277,7 +268,7 @@ measures! {
         symbol: "k",
         label: "stiffness of a strand family",
         about: "Stiffness k of one strand family",
-        comment: "k of one strand family: \"321 N/mm\", \"inextensible\", or \"antonelli2018\"",
+        comment: "k of one strand family: \"321 N/mm\", \"inextensible\", or \"paper\"",
         dimension: Stiffness,
         has_rules: true,
         bounds: OfPart,
@@ -297,7 +288,7 @@ measures! {
         has_rules: true,
         bounds: Between(1.0, 10.0),
         default: Some(1.0),
-        ..changed!(1.0, braid.stiffness_factor)
+        ..stated!(braid.stiffness_factor, unless 1.0)
     }
 
     /// N
@@ -340,7 +331,9 @@ measures! {
         comment: "of one strand",
         dimension: Area,
         has_rules: true,
-        ..of_strand!(area_mm2)
+        get: |p| p.braid.strands?.area_mm2,
+        set: |p, v| strands(p).area_mm2 = Some(v),
+        ..Measure::NONE
     }
 
     /// E of the strands; its flag is beside those of named sleeves
@@ -352,7 +345,9 @@ measures! {
         about: "Young's modulus E of the strands",
         dimension: Pressure,
         has_rules: true,
-        ..of_strand!(modulus_mpa)
+        get: |p| p.braid.strands?.modulus_mpa,
+        set: |p, v| strands(p).modulus_mpa = Some(v),
+        ..Measure::NONE
     }
 
     /// Strength of one strand
@@ -364,7 +359,9 @@ measures! {
         comment: "force at which one strand breaks",
         dimension: Force,
         has_rules: true,
-        ..of_strand!(strength_n)
+        get: |p| p.braid.strands?.strength_n,
+        set: |p, v| strands(p).strength_n = Some(v),
+        ..Measure::NONE
     }
 
     /// Factor of the strength of the strands
@@ -405,7 +402,7 @@ measures! {
         comment: "measured on the muscle, rounded ends included",
         dimension: Length,
         models: &["belforte"],
-        beside: Some((&TURNS, BOTH_OF_STRAND)),
+        beside: Some((&TURNS, MEASURED_STRAND)),
         get: |p| Some(p.braid.measured?.strand_length_mm),
         set: |p, v| measured(p).strand_length_mm = v,
         ..Measure::NONE
@@ -419,7 +416,7 @@ measures! {
         label: "measured turns of a strand",
         about: "Turns of that strand",
         models: &["belforte"],
-        beside: Some((&STRAND_LENGTH, BOTH_OF_STRAND)),
+        beside: Some((&STRAND_LENGTH, MEASURED_STRAND)),
         get: |p| Some(p.braid.measured?.turns),
         set: |p, v| measured(p).turns = v,
         ..Measure::NONE
@@ -440,8 +437,7 @@ measures! {
         digested: true,
         identify: Some(Identify {
             also: &["take-up"],
-            limit: Some(0.02),
-            ..Identify::from(0.02, (0.0, 0.2))
+            ..Identify::UNKNOWN
         }),
         ..optional!(braid.take_up_mpa)
     }
@@ -458,11 +454,8 @@ measures! {
         bounds: NotNegative,
         default: Some(0.0),
         is_shown: true,
-        identify: Some(Identify {
-            scale: Scale::Diameter,
-            ..Identify::from(0.02, (1e-6, 0.3))
-        }),
-        ..changed!(0.0, braid.thickness_mm)
+        identify: Some(Identify::UNKNOWN),
+        ..stated!(braid.thickness_mm, unless 0.0)
     }
 
     /// Ds
@@ -476,11 +469,7 @@ measures! {
         dimension: Length,
         is_shown: true,
         digested: true,
-        identify: Some(Identify {
-            scale: Scale::Diameter,
-            share: 0.1,
-            ..Identify::from(1.01, (1.0, 1.5))
-        }),
+        identify: Some(Identify::UNKNOWN),
         ..optional!(braid.diameter_mm)
     }
 
@@ -493,7 +482,7 @@ measures! {
         about: "Strain c1 at which the strands are straight",
         comment: "strain at which the strands are straight",
         is_shown: true,
-        identify: Some(Identify::from(0.005, (1e-6, 0.1))),
+        identify: Some(Identify::UNKNOWN),
         is_share: true,
         get: |p| Some(p.braid.crimp?.strain),
         set: |p, v| crimp(p).strain = v,
@@ -528,7 +517,7 @@ measures! {
         comment: "C in N/MPa^β: half-width C·P^β of the hysteresis",
         unit: Some("N/MPa^β"),
         bounds: NotNegative,
-        beside: Some((&FRICTION_EXPONENT, BOTH_OF_FRICTION)),
+        beside: Some((&FRICTION_EXPONENT, POWER_LAW)),
         identify: Some(Identify {
             also: &["friction.c"],
             ..Identify::UNKNOWN
@@ -547,11 +536,13 @@ measures! {
         about: "Exponent β of the friction C·P^β",
         comment: "β",
         bounds: NotNegative,
-        beside: Some((&FRICTION_COEFFICIENT, BOTH_OF_FRICTION)),
+        beside: Some((&FRICTION_COEFFICIENT, POWER_LAW)),
         identify: Some(Identify {
             also: &["friction.beta"],
+            start: Some(0.6),
+            bounds: (0.0, 3.0),
             limit: Some(0.5),
-            ..Identify::from(0.6, (0.0, 3.0))
+            ..Identify::UNKNOWN
         }),
         get: |p| Some(power_law(p)?.exponent),
         set: |p, v| friction(p).exponent = v,

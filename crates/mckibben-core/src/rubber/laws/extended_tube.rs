@@ -45,17 +45,7 @@ impl LawConstants for ExtendedTube {
     ];
     const EXAMPLE: &'static [f64] = &[0.19, 0.2, 110.0];
 
-    fn from_values(values: &[f64]) -> Option<Self> {
-        if let &[gc_mpa, ge_mpa, jm] = values {
-            Some(Self { gc_mpa, ge_mpa, jm })
-        } else {
-            None
-        }
-    }
-
-    fn values(&self) -> Vec<f64> {
-        vec![self.gc_mpa, self.ge_mpa, self.jm]
-    }
+    constants_are_fields!(gc_mpa, ge_mpa, jm);
 
     fn locks_at(&self) -> Option<f64> {
         Some(self.jm)

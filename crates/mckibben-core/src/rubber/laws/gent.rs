@@ -31,17 +31,7 @@ impl LawConstants for Gent {
     ];
     const EXAMPLE: &'static [f64] = &[0.24, 30.0];
 
-    fn from_values(values: &[f64]) -> Option<Self> {
-        if let &[mu_mpa, jm] = values {
-            Some(Self { mu_mpa, jm })
-        } else {
-            None
-        }
-    }
-
-    fn values(&self) -> Vec<f64> {
-        vec![self.mu_mpa, self.jm]
-    }
+    constants_are_fields!(mu_mpa, jm);
 
     fn locks_at(&self) -> Option<f64> {
         Some(self.jm)

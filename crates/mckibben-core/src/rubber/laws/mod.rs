@@ -1,8 +1,22 @@
 //! The list of laws. A law is one file in this folder and one line in the list below.
 
-use super::{
-    Biaxial, CustomLaw, HyperelasticCard, LawConstants, LawKind, LawVisitor, Principal, RubberLaw,
-};
+use super::{Biaxial, CustomLaw, LawKind, LawVisitor, Principal, RubberLaw, custom::AnyLaw};
+
+/// The constants of a law are its fields, in this order.
+macro_rules! constants_are_fields {
+    ($($field:ident),+) => {
+        fn from_values(values: &[f64]) -> Option<Self> {
+            let &[$($field),+] = values else {
+                return None;
+            };
+            Some(Self { $($field),+ })
+        }
+
+        fn values(&self) -> Vec<f64> {
+            vec![$(self.$field),+]
+        }
+    };
+}
 
 /// From `file::Type` of every law: the modules, the enum [`Law`] and what goes to the law that it
 /// holds.
@@ -43,56 +57,39 @@ macro_rules! laws {
             pub fn kind(&self) -> &'static LawKind {
                 match self {
                     $(Law::$law(_) => const { &LawKind::new::<$law>() },)*
-                    Law::Custom(law) => law.kind(),
+                    Law::Custom(law) => law.0.kind(),
+                }
+            }
+
+            fn any(&self) -> &dyn AnyLaw {
+                match self {
+                    $(Law::$law(law) => law,)*
+                    Law::Custom(law) => &*law.0,
                 }
             }
 
             /// The values of the constants, in the order of [`Law::constants`].
             pub fn values(&self) -> Vec<f64> {
-                match self {
-                    $(Law::$law(law) => law.values(),)*
-                    Law::Custom(law) => law.values(),
-                }
+                self.any().values()
             }
 
             /// See [`LawConstants::locks_at`].
             pub fn locks_at(&self) -> Option<f64> {
-                match self {
-                    $(Law::$law(law) => law.locks_at(),)*
-                    Law::Custom(law) => law.locks_at(),
-                }
-            }
-
-            /// See [`LawConstants::card`].
-            #[doc(hidden)]
-            pub fn card(&self) -> Option<HyperelasticCard> {
-                match self {
-                    $(Law::$law(law) => law.card(),)*
-                    Law::Custom(law) => law.card(),
-                }
+                self.any().locks_at()
             }
         }
 
         impl RubberLaw for Law {
             fn shear_modulus_mpa(&self) -> f64 {
-                match self {
-                    $(Law::$law(law) => law.shear_modulus_mpa(),)*
-                    Law::Custom(law) => law.shear_modulus_mpa(),
-                }
+                self.any().shear_modulus_mpa()
             }
 
             fn principal(&self, stretches: [f64; 3]) -> Principal {
-                match self {
-                    $(Law::$law(law) => law.principal(stretches),)*
-                    Law::Custom(law) => law.principal(stretches),
-                }
+                self.any().principal(stretches)
             }
 
             fn biaxial(&self, u: f64, v: f64) -> Biaxial {
-                match self {
-                    $(Law::$law(law) => law.biaxial(u, v),)*
-                    Law::Custom(law) => law.biaxial(u, v),
-                }
+                self.any().biaxial(u, v)
             }
 
             /// Hands `visitor` the law that it holds.

@@ -1,7 +1,7 @@
 //! Mooney–Rivlin: W = C10 (I1 − 3) + C01 (I2 − 3).
 
 use crate::rubber::{
-    Constant, HyperelasticCard, InvariantDerivatives, InvariantLaw, Law, LawConstants, NeoHookean,
+    Constant, InvariantDerivatives, InvariantLaw, Law, LawConstants, NeoHookean,
 };
 
 /// Mooney–Rivlin rubber, the law of the paper's finite-element model.
@@ -33,27 +33,8 @@ impl LawConstants for MooneyRivlin {
         Constant::coefficient("c01", "the coefficient of I2 − 3"),
     ];
     const EXAMPLE: &'static [f64] = &[0.10, 0.02];
-    const HELD_POSITIVE: Option<&'static str> = Some("with C01 not below 0");
 
-    fn from_values(values: &[f64]) -> Option<Self> {
-        if let &[c10_mpa, c01_mpa] = values {
-            Some(Self { c10_mpa, c01_mpa })
-        } else {
-            None
-        }
-    }
-
-    fn values(&self) -> Vec<f64> {
-        vec![self.c10_mpa, self.c01_mpa]
-    }
-
-    fn card(&self) -> Option<HyperelasticCard> {
-        Some(HyperelasticCard {
-            form: "MOONEY-RIVLIN".into(),
-            constants: self.values(),
-            compressions: 1,
-        })
-    }
+    constants_are_fields!(c10_mpa, c01_mpa);
 }
 
 impl InvariantLaw for MooneyRivlin {

@@ -1,6 +1,6 @@
 //! Neo-Hookean: W = (μ/2) (I1 − 3).
 
-use crate::rubber::{Constant, HyperelasticCard, InvariantDerivatives, InvariantLaw, LawConstants};
+use crate::rubber::{Constant, InvariantDerivatives, InvariantLaw, LawConstants};
 
 /// Neo-Hookean rubber: one constant.
 ///
@@ -23,25 +23,7 @@ impl LawConstants for NeoHookean {
     const CONSTANTS: &'static [Constant] = &[Constant::modulus("mu", "the shear modulus")];
     const EXAMPLE: &'static [f64] = &[0.24];
 
-    fn from_values(values: &[f64]) -> Option<Self> {
-        if let &[mu_mpa] = values {
-            Some(Self { mu_mpa })
-        } else {
-            None
-        }
-    }
-
-    fn values(&self) -> Vec<f64> {
-        vec![self.mu_mpa]
-    }
-
-    fn card(&self) -> Option<HyperelasticCard> {
-        Some(HyperelasticCard {
-            form: "NEO HOOKE".into(),
-            constants: vec![0.5 * self.mu_mpa],
-            compressions: 1,
-        })
-    }
+    constants_are_fields!(mu_mpa);
 }
 
 impl InvariantLaw for NeoHookean {

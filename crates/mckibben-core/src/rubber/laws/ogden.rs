@@ -1,6 +1,6 @@
 //! Ogden: W = Σ (μi/αi)(λ1^αi + λ2^αi + λ3^αi − 3).
 
-use crate::rubber::{Constant, HyperelasticCard, LawConstants, Principal, RubberLaw};
+use crate::rubber::{Constant, LawConstants, Principal, RubberLaw};
 
 /// Ogden rubber with as many terms as there are pairs (μi, αi).
 ///
@@ -45,21 +45,6 @@ impl LawConstants for Ogden {
             .iter()
             .flat_map(|&(mu, alpha)| [mu, alpha])
             .collect()
-    }
-
-    fn card(&self) -> Option<HyperelasticCard> {
-        // There Σ 2 μ'i/αi² (…): μ'i = μi αi/2.
-        let n = self.terms.len();
-        let constants = self
-            .terms
-            .iter()
-            .flat_map(|&(mu, alpha)| [0.5 * mu * alpha, alpha])
-            .collect();
-        Some(HyperelasticCard {
-            form: format!("OGDEN, N={n}"),
-            constants,
-            compressions: n,
-        })
     }
 }
 

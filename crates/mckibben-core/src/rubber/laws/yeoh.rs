@@ -1,6 +1,6 @@
 //! Yeoh: W = C10 (I1 − 3) + C20 (I1 − 3)² + C30 (I1 − 3)³.
 
-use crate::rubber::{Constant, HyperelasticCard, InvariantDerivatives, InvariantLaw, LawConstants};
+use crate::rubber::{Constant, InvariantDerivatives, InvariantLaw, LawConstants};
 
 /// Yeoh rubber: a polynomial in I1.
 ///
@@ -33,29 +33,7 @@ impl LawConstants for Yeoh {
     ];
     const EXAMPLE: &'static [f64] = &[0.1789, -0.001219, 3.678e-5];
 
-    fn from_values(values: &[f64]) -> Option<Self> {
-        if let &[c10_mpa, c20_mpa, c30_mpa] = values {
-            Some(Self {
-                c10_mpa,
-                c20_mpa,
-                c30_mpa,
-            })
-        } else {
-            None
-        }
-    }
-
-    fn values(&self) -> Vec<f64> {
-        vec![self.c10_mpa, self.c20_mpa, self.c30_mpa]
-    }
-
-    fn card(&self) -> Option<HyperelasticCard> {
-        Some(HyperelasticCard {
-            form: "YEOH".into(),
-            constants: self.values(),
-            compressions: 3,
-        })
-    }
+    constants_are_fields!(c10_mpa, c20_mpa, c30_mpa);
 }
 
 impl InvariantLaw for Yeoh {

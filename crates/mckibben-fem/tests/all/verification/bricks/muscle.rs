@@ -78,7 +78,7 @@ fn axisymmetric_limit(rows: &mut Rows, d: f64, s: f64) {
     let muscle = Muscle::prototype().with_section(d, s).ok();
     let models = muscle.and_then(|m| {
         Some((
-            ThreeDimensional::between_ends(&m).ok()?,
+            ThreeDimensional::between_ends_with(&m, &BrickSpec::default()).ok()?,
             Axisymmetric::between_ends(&m).ok()?,
         ))
     });

@@ -13,7 +13,7 @@ use super::{
 use crate::verification::{Rows, changed};
 use mckibben_core::{muscle::Bulk, rubber::Law};
 use mckibben_fem::{
-    solver::continuation::Unstable,
+    solver::{body::Body as _, continuation::Unstable},
     three_dimensional::{Body, Brick, BrickSpec},
 };
 
@@ -22,7 +22,9 @@ fn walked(brick: Brick, pressure: f64, contraction: f64) -> Option<f64> {
     let mut guessed = prototype(brick)?;
     let mut walked = prototype(brick)?;
     guessed.reach(pressure, contraction).ok()?;
-    walked.walk_from_rest(pressure, contraction).ok()?;
+    let terminal = -contraction * walked.body.half_length();
+    walked.walk(pressure, 0.0, 0.25).ok()?;
+    walked.walk(pressure, terminal, 0.25).ok()?;
     Some((walked.pull() / guessed.pull() - 1.0).abs())
 }
 
