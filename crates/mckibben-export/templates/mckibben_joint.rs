@@ -280,8 +280,8 @@ impl<const N: usize> Joint<N> {
         let taut = match place.held.as_slice() {
             [one, other] => 1e-5 * (one.most + other.most * size_of(other.at.arm / one.at.arm)),
             _ => 0.0,
-        };
-        let taut = taut.min(0.5 * (high - low));
+        }
+        .min(0.5 * (high - low));
         let mut before: Option<(Real, Real)> = None;
         for i in 0..=PULLS {
             let pull = low + taut + (high - low - 2.0 * taut) * i as Real / PULLS as Real;
@@ -290,7 +290,8 @@ impl<const N: usize> Joint<N> {
                 before = None;
                 continue;
             }
-            let (stiffness, [least, most]) = (here.stiffness, reached);
+            let [least, most] = reached;
+            let stiffness = here.stiffness;
             reached = if is_any { [least.min(stiffness), most.max(stiffness)] } else { [stiffness; 2] };
             is_any = true;
             let miss = stiffness - sought;
@@ -304,8 +305,8 @@ impl<const N: usize> Joint<N> {
                 _ => {}
             }
             before = Some((pull, miss));
-            if !is_met && size_of(stiffness - sought) < closest {
-                closest = size_of(stiffness - sought);
+            if !is_met && size_of(miss) < closest {
+                closest = size_of(miss);
                 best = pull;
             }
         }

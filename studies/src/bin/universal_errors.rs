@@ -4,7 +4,8 @@
 //! `cargo study universal_errors -- 150 7 docs/figures/universal.svg` takes the number of muscles, a
 //! seed, and a file for the share of points within an error.
 
-use mckibben_campaign::fit::universal::{Sample, drawn, held_out_samples, shares, summary};
+use held_out::{drawn, held_out_samples};
+use mckibben_campaign::fit::universal::{Sample, shares, summary};
 use mckibben_core::{
     analysis::bisect,
     model::{ForceModel, ModelKind, Workspace},
@@ -14,6 +15,9 @@ use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_report::{Axis, Figure, Panel, Series};
 use mckibben_studies::Result;
 use std::path::Path;
+
+#[path = "../../../crates/mckibben-campaign/tests/all/held_out.rs"]
+mod held_out;
 
 fn main() -> Result<()> {
     let mut words = std::env::args().skip(1);

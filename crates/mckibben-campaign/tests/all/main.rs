@@ -4,6 +4,7 @@
 
 mod constants;
 mod formulas;
+mod held_out;
 mod signs;
 mod universal;
 mod verification;

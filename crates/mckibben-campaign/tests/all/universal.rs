@@ -1,5 +1,6 @@
 //! Goals on muscles that no fit has seen, and that a fit gives the same on any number of threads.
 
+use crate::held_out::held_out_samples;
 use mckibben_campaign::fit::universal::*;
 use mckibben_core::{
     formula::{Document, Provenance},

@@ -68,8 +68,8 @@ impl FormulaModel {
             reference: Reference::Elements(
                 "its authors state about 2 % and at most 50 N against their own finite elements; \
                  95 % of 1889 points over its box lie within 3.9 % of this program's axisymmetric \
-                 ones (rubber and braid `antonelli2018`), the worst at 5.9 % near D0 37.5 mm: the \
-                 published C block, linear in D0, is weakest near D0 35–40 mm",
+                 ones (rubber and braid `antonelli2018`), the worst at 5.9 % near D0 37.5 mm, where \
+                 the published C block, linear in D0, is weakest",
             ),
         };
         let info = ModelInfo {

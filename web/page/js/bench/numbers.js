@@ -29,12 +29,12 @@ export function numbersView(store) {
       parts.element.hidden = !parts.element.hidden;
       built.ariaExpanded = String(!parts.element.hidden);
     },
-    { class: "bare", ariaExpanded: "false", title: "What the ± is made of" },
+    { class: "bare", ariaExpanded: "false", title: "Parts of the ±" },
   );
 
   const remarks = remark(
-    "As built: median and 95 % of muscles like this one. Model: finite elements (fe), mean of both " +
-      "ways. Take-up: the way that the sleeve gives before it bears.",
+    "As built: median and 95 % of such muscles. Model: finite elements (fe), mean of both " +
+      "ways. Take-up: the way the sleeve gives before it bears.",
   );
   const element = el(
     "section",

@@ -11,7 +11,6 @@
 //! 0.3 below P = 0.1 μ where muscles hardly pull. Errors are those of the finished model, which
 //! solves for λ itself; and of models fitted to four fifths of the muscles on the last fifth.
 
-mod held_out;
 mod points;
 
 use super::{
@@ -20,7 +19,6 @@ use super::{
     make::VARIED,
 };
 use crate::hash;
-pub use held_out::{drawn, held_out_samples};
 use mckibben_core::{
     extremes::{ends, peak},
     formula::{

@@ -1,6 +1,7 @@
-//! Random muscles that no fit has seen, with the pulls of finite elements.
+//! Random muscles that no fit has seen, with the pulls of finite elements: for tests, and for the study
+//! `universal_errors`.
 
-use super::points::{PullPoint, Sample};
+use mckibben_campaign::fit::universal::{PullPoint, Sample};
 use mckibben_core::{
     model::{ForceModel, Workspace},
     muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube},
