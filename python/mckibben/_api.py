@@ -840,7 +840,7 @@ class CandidateAnswer(Record):
     rubber
         The rubber, by name or law.
     braid
-        The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
+        The braid: `antonelli2018`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
     sleeve
         Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
     stiffness_factor
@@ -1157,7 +1157,7 @@ class CheckAnswer(Record):
     rubber
         The rubber, by name or law.
     braid
-        The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
+        The braid: `antonelli2018`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
     sleeve
         Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
     stiffness_factor
@@ -1325,7 +1325,7 @@ class ChoiceAnswer(Record):
     rubber
         The rubber, by name or law.
     braid
-        The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
+        The braid: `antonelli2018`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
     sleeve
         Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
     stiffness_factor
@@ -1501,7 +1501,7 @@ class ClosestAnswer(Record):
     rubber
         The rubber, by name or law.
     braid
-        The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
+        The braid: `antonelli2018`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
     sleeve
         Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
     stiffness_factor
@@ -3708,7 +3708,7 @@ class LibraryDetails(Record):
     rubber
         The rubber, by name or law.
     braid
-        The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
+        The braid: `antonelli2018`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
     sleeve
         Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
     stiffness_factor
@@ -3848,7 +3848,7 @@ class LibraryMuscle(Record):
     rubber
         The rubber, by name or law.
     braid
-        The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
+        The braid: `antonelli2018`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
     sleeve
         Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
     stiffness_factor
@@ -4764,7 +4764,7 @@ class MuscleSummary(Record):
     rubber
         The rubber, by name or law.
     braid
-        The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
+        The braid: `antonelli2018`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
     sleeve
         Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
     stiffness_factor
@@ -5265,7 +5265,7 @@ class RejectedAnswer(Record):
     rubber
         The rubber, by name or law.
     braid
-        The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
+        The braid: `antonelli2018`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
     sleeve
         Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
     stiffness_factor
@@ -7116,7 +7116,7 @@ class Measures(TypedDict, total=False):
     strand_diameter_mm : mm
         Diameter of one strand of a named sleeve, if its source does not state it.
     stiffness : N/mm
-        Stiffness of one strand family [paper]. In N/mm, or `inextensible`, or `paper`.
+        Stiffness of one strand family [paper]. In N/mm, or `inextensible`, or `antonelli2018`.
     """
 
     outer_diameter_mm: Number | None
@@ -7474,7 +7474,7 @@ class MuscleFields:
         strand_diameter_mm : mm
             Diameter of one strand of a named sleeve, if its source does not state it.
         stiffness : N/mm
-            Stiffness of one strand family [paper]. In N/mm, or `inextensible`, or `paper`.
+            Stiffness of one strand family [paper]. In N/mm, or `inextensible`, or `antonelli2018`.
 
         Raises
         ------
@@ -7701,7 +7701,7 @@ class MuscleFields:
 
     @property
     def stiffness(self: Any) -> float | str | None:
-        """Stiffness of one strand family [paper]. In N/mm, or `inextensible`, or `paper`."""
+        """Stiffness of one strand family [paper]. In N/mm, or `inextensible`, or `antonelli2018`."""
         found: float | str | None = self._field("stiffness")
         return found
 
@@ -9066,7 +9066,7 @@ def design(
     strand_modulus_mpa : MPa
         Young's modulus of their strands, likewise.
     stiffness : N/mm
-        Stiffness of one strand family, in N/mm [paper]. Or `inextensible`, or `paper`.
+        Stiffness of one strand family, in N/mm [paper]. Or `inextensible`, or `antonelli2018`.
     strand_length_per_turn_mm : mm
         Sleeves on sale, by strand length per turn; the tube diameter then sets the angle.
     radius_mm : mm

@@ -268,7 +268,7 @@ measures! {
         symbol: "k",
         label: "stiffness of a strand family",
         about: "Stiffness k of one strand family",
-        comment: "k of one strand family: \"321 N/mm\", \"inextensible\", or \"paper\"",
+        comment: "k of one strand family: \"321 N/mm\", \"inextensible\", or \"antonelli2018\"",
         dimension: Stiffness,
         has_rules: true,
         bounds: OfPart,
