@@ -69,7 +69,9 @@ fn all(c: &mut Criterion) {
         b.iter(|| large.factorise_assembled().unwrap());
     });
     group.bench_function("one answer afresh, the program's mesh", |b| {
-        let model = ThreeDimensional::between_ends_with(&Muscle::prototype(), &BrickSpec::default()).unwrap();
+        let model =
+            ThreeDimensional::between_ends_with(&Muscle::prototype(), &BrickSpec::default())
+                .unwrap();
         b.iter(|| black_box(model.force_n(&mut Workspace::new(), 0.25, 0.10).unwrap()));
     });
     group.finish();

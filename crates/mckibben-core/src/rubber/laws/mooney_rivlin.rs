@@ -1,8 +1,6 @@
 //! Mooney–Rivlin: W = C10 (I1 − 3) + C01 (I2 − 3).
 
-use crate::rubber::{
-    Constant, InvariantDerivatives, InvariantLaw, Law, LawConstants, NeoHookean,
-};
+use crate::rubber::{Constant, InvariantDerivatives, InvariantLaw, Law, LawConstants, NeoHookean};
 
 /// Mooney–Rivlin rubber, the law of the paper's finite-element model.
 ///
