@@ -73,7 +73,7 @@ macro_rules! laws {
                 self.any().values()
             }
 
-            /// See [`LawConstants::locks_at`].
+            /// See [`locks_at`](crate::rubber::LawConstants::locks_at).
             pub fn locks_at(&self) -> Option<f64> {
                 self.any().locks_at()
             }
