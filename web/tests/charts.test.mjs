@@ -116,6 +116,7 @@ inBrowser(({ name, open, blank, url }) => {
     let box = { x: 0, y: 0, width: 0, height: 0 };
     // What comes above it may move it while it is being taken hold of.
     await soon(async () => {
+      await plot.evaluate((plot) => plot.scrollIntoView({ block: "center" }));
       box = /** @type {typeof box} */ (await plot.boundingBox());
       await page.mouse.move(box.x + 0.4 * box.width, box.y + box.height - 20);
       await page.mouse.down();

@@ -29,7 +29,7 @@ const LAWS = [
     `law = "neo-hookean"\nmu = "${d.between(0.2, 1)} MPa"\nsoftening = { r = 1.6, m = "0.05 MPa" }\nconditioned = "2 bar"`,
 ];
 const RUBBERS = [
-  "paper",
+  "antonelli2018",
   "dragon-skin-30",
   "dragon-skin-20",
   "ecoflex-00-50",
@@ -202,7 +202,7 @@ export function muscle(seed) {
     complete(base, sleeve[3]);
   } else {
     base.angle = `${d.between(20, 34)} deg`;
-    base.k = d.pick(["paper", "inextensible", `${d.between(100, 900)} N/mm`]);
+    base.k = d.pick(["antonelli2018", "inextensible", `${d.between(100, 900)} N/mm`]);
   }
   if (d.chance(0.5)) base.rubber = d.pick(RUBBERS);
   else base.law = d.pick(LAWS)(d);
@@ -247,7 +247,7 @@ export function muscle(seed) {
     } else {
       if (d.chance(said)) say("angle", d.between(20, 34));
       if (d.chance(said)) {
-        if (d.chance(0.4)) over.k = d.pick(["inextensible", "paper"]);
+        if (d.chance(0.4)) over.k = d.pick(["inextensible", "antonelli2018"]);
         else say("k", d.between(100, 900));
       }
     }
