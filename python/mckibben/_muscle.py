@@ -75,7 +75,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     --------
     >>> import mckibben as mk
     >>> mk.Muscle(outer_diameter_mm="50 mm", wall_mm=1, length_mm=285)
-    Muscle(outer_diameter_mm=50.0, wall_mm=1.0, length_mm=285.0, angle_deg=28.0, stiffness='paper', rubber='paper')
+    Muscle(outer_diameter_mm=50.0, wall_mm=1.0, length_mm=285.0, angle_deg=28.0, stiffness='antonelli2018', rubber='antonelli2018')
     """
 
     _kind = "muscle"
@@ -363,7 +363,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         tube = _native.toml("muscle", self.to_toml()).get("tube", {})
         if "material" in tube:
             return Rubber.from_toml(self.to_toml())
-        return str(tube.get("rubber", "paper"))
+        return str(tube.get("rubber", "antonelli2018"))
 
     @property
     def braid(self) -> str:

@@ -75,7 +75,7 @@ class Rubber(Saved):
         held = _native.toml("rubber", checked("text", text, str)).get("tube", {})
         if "material" not in held:
             raise InputError(
-                f"the rubber is {held.get('rubber', 'paper')!r} of the library",
+                f"the rubber is {held.get('rubber', 'antonelli2018')!r} of the library",
                 kind="rubber",
                 field="text",
             )

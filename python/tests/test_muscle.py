@@ -242,7 +242,7 @@ def test_a_muscle_and_a_rubber_are_what_they_print(thin: mk.Muscle) -> None:
         own.rubber == rubber
         and isinstance(own.rubber, mk.Rubber)
         and own.rubber.constants == {"mu": 0.2}
-        and thin.rubber == "paper"
+        and thin.rubber == "antonelli2018"
     )
 
 
