@@ -7108,15 +7108,15 @@ class Measures(TypedDict, total=False):
     friction_presliding_mm : mm
         Presliding length xs, over which the friction builds up after a reversal, mm.
     rubber
-        Rubber: `mckibben parts list rubbers` [paper]. NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 % (s100:0.6MPa), or the
-        rubber of a muscle file.
+        Rubber: `mckibben parts list rubbers` [antonelli2018]. NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 % (s100:0.6MPa),
+        or the rubber of a muscle file.
     braid
         Sleeve: `mckibben parts list sleeves` [none]. NAME of the library; it gives the angle and the strands. pet:6..18mm: polyester, by least and
         largest round diameter; pet:flat:9.4..28mm by its width where it lies flat.
     strand_diameter_mm : mm
         Diameter of one strand of a named sleeve, if its source does not state it.
     stiffness : N/mm
-        Stiffness of one strand family [paper]. In N/mm, or `inextensible`, or `antonelli2018`.
+        Stiffness of one strand family [antonelli2018]. In N/mm, or `inextensible`, or `antonelli2018`.
     """
 
     outer_diameter_mm: Number | None
@@ -7466,15 +7466,15 @@ class MuscleFields:
         friction_presliding_mm : mm
             Presliding length xs, over which the friction builds up after a reversal, mm.
         rubber
-            Rubber: `mckibben parts list rubbers` [paper]. NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 % (s100:0.6MPa), or the
-            rubber of a muscle file.
+            Rubber: `mckibben parts list rubbers` [antonelli2018]. NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 % (s100:0.6MPa),
+            or the rubber of a muscle file.
         braid
             Sleeve: `mckibben parts list sleeves` [none]. NAME of the library; it gives the angle and the strands. pet:6..18mm: polyester, by least and
             largest round diameter; pet:flat:9.4..28mm by its width where it lies flat.
         strand_diameter_mm : mm
             Diameter of one strand of a named sleeve, if its source does not state it.
         stiffness : N/mm
-            Stiffness of one strand family [paper]. In N/mm, or `inextensible`, or `antonelli2018`.
+            Stiffness of one strand family [antonelli2018]. In N/mm, or `inextensible`, or `antonelli2018`.
 
         Raises
         ------
@@ -7701,7 +7701,7 @@ class MuscleFields:
 
     @property
     def stiffness(self: Any) -> float | str | None:
-        """Stiffness of one strand family [paper]. In N/mm, or `inextensible`, or `antonelli2018`."""
+        """Stiffness of one strand family [antonelli2018]. In N/mm, or `inextensible`, or `antonelli2018`."""
         found: float | str | None = self._field("stiffness")
         return found
 
@@ -9066,7 +9066,7 @@ def design(
     strand_modulus_mpa : MPa
         Young's modulus of their strands, likewise.
     stiffness : N/mm
-        Stiffness of one strand family, in N/mm [paper]. Or `inextensible`, or `antonelli2018`.
+        Stiffness of one strand family, in N/mm [antonelli2018]. Or `inextensible`, or `antonelli2018`.
     strand_length_per_turn_mm : mm
         Sleeves on sale, by strand length per turn; the tube diameter then sets the angle.
     radius_mm : mm

@@ -67,7 +67,7 @@ def _plain(value: Any) -> Any:
 
 class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     """A McKibben muscle: a rubber tube in a braid between two terminals. Diameter, wall and length are to be given; :meth:`prototype` is that
-    of the paper. Angle 28°, rubber and braid ``paper`` where they are left out.
+    of the paper. Angle 28°, rubber and braid ``antonelli2018`` where they are left out.
 
     A muscle does not change; :meth:`replace` gives another one. Two are equal where their muscle files are.
 
@@ -125,7 +125,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
 
     @classmethod
     def prototype(cls) -> Muscle:
-        """The paper's prototype: D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid ``paper``."""
+        """The paper's prototype: D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid ``antonelli2018``."""
         return cls._of()
 
     @classmethod

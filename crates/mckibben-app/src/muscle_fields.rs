@@ -48,7 +48,7 @@ pub struct MuscleFields {
     /// Tube as it is sold: bore and outer diameter, such as 8x12mm, or its name
     #[arg(long, value_name = "BORExOUTER", hide_short_help = true)]
     pub tube: Option<TubeSize>,
-    /// Rubber: `mckibben parts list rubbers` [paper]
+    /// Rubber: `mckibben parts list rubbers` [antonelli2018]
     ///
     /// NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 %
     /// (s100:0.6MPa), or the rubber of a muscle file.
@@ -63,7 +63,7 @@ pub struct MuscleFields {
     /// Diameter of one strand of a named sleeve, if its source does not state it
     #[arg(long, value_name = "DIAMETER", hide_short_help = true)]
     pub strand_diameter_mm: Option<Length>,
-    /// Stiffness of one strand family [paper]
+    /// Stiffness of one strand family [antonelli2018]
     ///
     /// In N/mm, or `inextensible`, or `antonelli2018`.
     #[schemars(extend("x-key" = STIFFNESS.key, "x-symbol" = STIFFNESS.symbol))]

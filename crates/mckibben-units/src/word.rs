@@ -1,4 +1,4 @@
-//! A word, or a quantity: `"paper"` or `"321 N/mm"`.
+//! A word, or a quantity: `"antonelli2018"` or `"321 N/mm"`.
 
 use super::{
     dimension::Dimension,

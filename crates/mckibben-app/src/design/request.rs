@@ -218,7 +218,7 @@ pub struct DesignRequest {
         help_heading = "Muscle"
     )]
     pub strand_modulus_mpa: Option<Pressure>,
-    /// Stiffness of one strand family, in N/mm [paper]
+    /// Stiffness of one strand family, in N/mm [antonelli2018]
     ///
     /// Or `inextensible`, or `antonelli2018`.
     #[arg(long, value_name = "STIFFNESS", value_parser = flags::stiffness, help_heading = "Muscle")]

@@ -334,8 +334,8 @@ fn names_are_forgiving_and_slips_are_named() {
     assert!(message("concrete").contains("known: s-muscle-13, "));
 }
 
-/// The braid `antonelli2018` belongs to muscles of 30 to 50 mm; beyond, and on no other braid, there is a
-/// sentence.
+/// The braid `antonelli2018` belongs to muscles of 30 to 50 mm; beyond, and on no other braid, there
+/// is a sentence.
 #[test]
 fn the_papers_braid_beyond_its_diameters_is_a_warning() {
     let at = |d| Muscle::prototype().with_section(d, 2.0).unwrap().warnings();

@@ -6,8 +6,7 @@ use super::{
 };
 use crate::least_squares::{Errors, aicc, t95};
 use mckibben_core::rubber::{
-    ConstantValue, Form, Law, LawConstants, MooneyRivlin, Ogden, RubberLaw, is_stable_at,
-    muscle_unstable_from,
+    ConstantValue, Form, Law, LawConstants, Ogden, RubberLaw, is_stable_at, muscle_unstable_from,
 };
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
@@ -171,7 +170,7 @@ impl FittedLaw {
 
     /// How the law is held stable, where it is; in words behind its name.
     pub fn stability_words(&self) -> &'static str {
-        if self.form.law() == MooneyRivlin::NAME {
+        if self.form.law() == linear::HELD_POSITIVE {
             "with C01 not below 0"
         } else if self.law.locks_at().is_some() {
             "with a limit beyond the muscle's stretches"

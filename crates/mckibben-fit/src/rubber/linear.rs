@@ -82,6 +82,8 @@ pub fn free(form: Form, basis: &[Law], problem: &Problem) -> Result<Raw> {
     })
 }
 
+/// The law whose constants are held at or above zero.
+pub const HELD_POSITIVE: &str = MooneyRivlin::NAME;
 /// Cuts at most; some ten are usual.
 const CUTS: usize = 40;
 
@@ -98,11 +100,11 @@ pub fn stable(form: Form, basis: &[Law], problem: &Problem, hoop_stretch: f64) -
                 .collect()
         })
         .collect();
-    let mut cuts = if form.law() == MooneyRivlin::NAME {
-        Inequality::positive(basis.len())
+    let mut cuts = Inequality::positive(if form.law() == HELD_POSITIVE {
+        basis.len()
     } else {
-        vec![]
-    };
+        0
+    });
     for _ in 0..CUTS {
         let solution =
             solve(&n, &d, &cuts).ok_or_else(|| no_fit(form, "no stable law fits these data"))?;
@@ -110,9 +112,7 @@ pub fn stable(form: Form, basis: &[Law], problem: &Problem, hoop_stretch: f64) -
             .iter()
             .map(|s| deepest(s, &solution.x))
             .min_by_number(|a| a.0);
-        let Some((depth, g)) = worst else {
-            return Err(no_fit(form, "no states"));
-        };
+        let (depth, g) = worst.ok_or_else(|| no_fit(form, "no states"))?;
         // The iteration ends within half of the margin.
         if depth >= 0.5 * margin {
             let freedom = (problem.counting() + solution.active.len())
