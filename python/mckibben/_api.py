@@ -7108,11 +7108,11 @@ class Measures(TypedDict, total=False):
     friction_presliding_mm : mm
         Presliding length xs, over which the friction builds up after a reversal, mm.
     rubber
-        Rubber: `mckibben parts list rubbers` [antonelli2018]. NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 % (s100:0.6MPa),
-        or the rubber of a muscle file.
+        Rubber: `parts list rubbers` [antonelli2018]. NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 % (s100:0.6MPa), or the
+        rubber of a muscle file.
     braid
-        Sleeve: `mckibben parts list sleeves` [none]. NAME of the library; it gives the angle and the strands. pet:6..18mm: polyester, by least and
-        largest round diameter; pet:flat:9.4..28mm by its width where it lies flat.
+        Sleeve: `parts list sleeves` [none]. NAME of the library; it gives the angle and the strands. pet:6..18mm: polyester, by least and largest round
+        diameter; pet:flat:9.4..28mm by its width where it lies flat.
     strand_diameter_mm : mm
         Diameter of one strand of a named sleeve, if its source does not state it.
     stiffness : N/mm
@@ -7466,11 +7466,11 @@ class MuscleFields:
         friction_presliding_mm : mm
             Presliding length xs, over which the friction builds up after a reversal, mm.
         rubber
-            Rubber: `mckibben parts list rubbers` [antonelli2018]. NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 % (s100:0.6MPa),
-            or the rubber of a muscle file.
+            Rubber: `parts list rubbers` [antonelli2018]. NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 % (s100:0.6MPa), or the
+            rubber of a muscle file.
         braid
-            Sleeve: `mckibben parts list sleeves` [none]. NAME of the library; it gives the angle and the strands. pet:6..18mm: polyester, by least and
-            largest round diameter; pet:flat:9.4..28mm by its width where it lies flat.
+            Sleeve: `parts list sleeves` [none]. NAME of the library; it gives the angle and the strands. pet:6..18mm: polyester, by least and largest round
+            diameter; pet:flat:9.4..28mm by its width where it lies flat.
         strand_diameter_mm : mm
             Diameter of one strand of a named sleeve, if its source does not state it.
         stiffness : N/mm

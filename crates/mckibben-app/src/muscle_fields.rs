@@ -48,13 +48,13 @@ pub struct MuscleFields {
     /// Tube as it is sold: bore and outer diameter, such as 8x12mm, or its name
     #[arg(long, value_name = "BORExOUTER", hide_short_help = true)]
     pub tube: Option<TubeSize>,
-    /// Rubber: `mckibben parts list rubbers` [antonelli2018]
+    /// Rubber: `parts list rubbers` [antonelli2018]
     ///
     /// NAME of the library, or NAME:LAW; a hardness (shore:30A), a stress at 100 %
     /// (s100:0.6MPa), or the rubber of a muscle file.
     #[arg(long, value_name = "NAME", value_parser = flags::rubber(), hide_possible_values = true)]
     pub rubber: Option<NameOrFile>,
-    /// Sleeve: `mckibben parts list sleeves` [none]
+    /// Sleeve: `parts list sleeves` [none]
     ///
     /// NAME of the library; it gives the angle and the strands. pet:6..18mm: polyester, by least
     /// and largest round diameter; pet:flat:9.4..28mm by its width where it lies flat.
