@@ -7,6 +7,7 @@
 mod advice;
 mod bench;
 mod by_section;
+mod covariance;
 mod error;
 mod friction;
 mod history;

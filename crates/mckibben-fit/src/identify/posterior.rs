@@ -30,7 +30,7 @@
 //! z = s² eᵀR⁻¹(y − f),   var z = s² − s⁴ eᵀR⁻¹e + bᵀC b,   b = s² JᵀR⁻¹e
 //! ```
 
-use super::{Build, IdentifyError, Result, by_section::by_section};
+use super::{Build, IdentifyError, Result, by_section::by_section, covariance::Covariance};
 use crate::{
     least_squares::{Errors, EstimateError},
     measured::{DataPoint, Quantity, Section},
@@ -205,16 +205,11 @@ impl PosteriorRequest<'_> {
         })
     }
 
-    /// R of some points.
-    fn covariance(&self, rows: &[(&DataPoint, &Row)]) -> DMatrix<f64> {
+    /// R of some points; `None` where a number is none, or the caller has left.
+    fn covariance(&self, rows: &[(&DataPoint, &Row)]) -> Option<Covariance> {
         let highest_mpa = peak(rows.iter().map(|r| r.1.place.pressure_mpa));
         let blocked_n = peak(rows.iter().map(|r| r.1.place.blocked_n));
-        let between = self.experience.length;
-        let zero = if self.zero {
-            self.zero_before_n().powi(2)
-        } else {
-            0.0
-        };
+        let zero = f64::from(self.zero) * self.zero_before_n().powi(2);
         let is_own =
             |section: &Section| section.apply(self.muscle).is_ok_and(|m| m == *self.muscle);
         let mut own: Vec<Section> = vec![];
@@ -223,25 +218,28 @@ impl PosteriorRequest<'_> {
                 own.push(row.section);
             }
         }
-        DMatrix::from_fn(rows.len(), rows.len(), |i, j| {
+        let alone = |(point, row): &(&DataPoint, &Row)| {
+            let loop_n = if point.at.branch.is_none() {
+                row.half_loop_n
+            } else {
+                0.0
+            };
+            row.noise_n(point, blocked_n).powi(2) + loop_n * loop_n
+        };
+        let shared = |i: usize, j: usize| {
             let ((point, a), (other, b)) = (rows[i], rows[j]);
             let mut out = zero * by_load_cell(point) * by_load_cell(other);
-            if a.section != b.section {
-                return out;
-            }
-            out += kernel(&a.place, &b.place, highest_mpa);
-            if !own.contains(&a.section) {
-                let each = between.iter().zip(&a.slopes).zip(&b.slopes);
-                out += each.map(|((s, x), y)| s * s * x * y).sum::<f64>();
-            }
-            if i == j {
-                out += a.noise_n(point, blocked_n).powi(2);
-                if point.at.branch.is_none() {
-                    out += a.half_loop_n * a.half_loop_n;
+            if a.section == b.section {
+                out += kernel(&a.place, &b.place, highest_mpa);
+                if !own.contains(&a.section) {
+                    let each = self.experience.length.iter().zip(&a.slopes).zip(&b.slopes);
+                    out += each.map(|((s, x), y)| s * s * x * y).sum::<f64>();
                 }
             }
             out
-        })
+        };
+        let alone = DVector::from_iterator(rows.len(), rows.iter().map(alone));
+        Covariance::new(&alone, shared, self.progress)
     }
 
     /// Lowest and highest value of each constant: what a muscle states may become less.
@@ -304,17 +302,17 @@ impl PosteriorRequest<'_> {
         (bounds, in_model): (&[(f64, f64); CONSTANTS], &[bool; CONSTANTS]),
     ) -> Option<(Constants, Posterior)> {
         let n = known.len();
-        let root = self.covariance(known).cholesky()?;
+        let covariance_n = self.covariance(known)?;
         let slope = |i: usize, c: usize| f64::from(in_model[c]) * known[i].1.slopes[c];
         let j = DMatrix::from_fn(n, CONSTANTS, slope);
         let off = known
             .iter()
             .map(|(point, row)| point.at.force_n - row.predicted_n);
-        let off = DVector::from_iterator(n, off);
-        let weighted = root.solve(&j);
+        let off = DMatrix::from_iterator(n, 1, off);
+        let weighted = covariance_n.solve(j.clone());
         let mut a = j.transpose() * &weighted;
         let mut right = weighted.transpose() * &off;
-        let mut chi_squared = off.dot(&root.solve(&off));
+        let mut chi_squared = off.dot(&covariance_n.solve(off.clone()));
         let Prior { centre, deviation } = self.prior;
         for c in 0..CONSTANTS {
             // A constant that is known needs no search.
@@ -327,8 +325,8 @@ impl PosteriorRequest<'_> {
         let variance_factor = ((BEFORE + chi_squared) / (BEFORE + n as f64)).max(1.0);
         let zero = self.zero.then(|| {
             let before_n = self.zero_before_n();
-            let e = DVector::from_iterator(n, known.iter().map(|k| by_load_cell(k.0)));
-            let told = root.solve(&e) * (before_n * before_n);
+            let e = DMatrix::from_iterator(n, 1, known.iter().map(|k| by_load_cell(k.0)));
+            let told = covariance_n.solve(e.clone()) * (before_n * before_n);
             let b = j.transpose() * &told;
             let left = before_n * before_n * (1.0 - told.dot(&e)) + b.dot(&(&covariance * &b));
             Zero {
@@ -403,6 +401,7 @@ impl PosteriorRequest<'_> {
                 rms_before_n = Errors::new(off).rms;
             }
             let Some((mut next, found)) = self.step(&x, &known, (&bounds, &in_model)) else {
+                self.progress.check()?;
                 return Ok(None);
             };
             for c in 0..CONSTANTS {
