@@ -196,16 +196,17 @@ fn a_tube_by_its_size_takes_a_rubber_and_an_angle() {
 /// All muscles with their ends weigh no more than is allowed, and one that is lighter is told.
 #[test]
 fn a_largest_mass_counts_the_ends() {
-    let job = |kg: f64| {
+    let largest_g = 90.0;
+    let answer = reply(
+        "design",
         json!({"force_n": 98, "contraction": 0.1, "max_pressure_mpa": 0.4, "length_mm": 200,
-               "max_mass_kg": kg})
-    };
-    for kg in [0.05, 0.09] {
-        let answer = reply("design", job(kg));
-        for one in answer["candidates"].as_array().unwrap() {
-            let g = one["mass_g"].as_f64().unwrap() + one["ends"]["ends_mass_g"].as_f64().unwrap();
-            assert!(g * one["count"].as_f64().unwrap() <= 1e3 * kg, "{g}");
-        }
+               "max_mass_kg": largest_g / 1e3}),
+    );
+    let all = answer["candidates"].as_array().unwrap();
+    assert!(!all.is_empty());
+    for one in all {
+        let g = one["mass_g"].as_f64().unwrap() + one["ends"]["ends_mass_g"].as_f64().unwrap();
+        assert!(g * one["count"].as_f64().unwrap() <= largest_g, "{g}");
     }
 }
 
