@@ -84,45 +84,42 @@ fn pair_mean_n(a: &DataPoint, points: &[DataPoint]) -> Option<f64> {
 pub fn friction_law(
     request: &IdentificationRequest<'_>,
     muscle: &Muscle,
-    points: &[DataPoint],
     found: &Posterior,
 ) -> Option<Found> {
-    let is_paired = |p: &&DataPoint| !request.history && pair_mean_n(p, points).is_some();
-    let paired: Vec<DataPoint> = points.iter().filter(is_paired).copied().collect();
+    let all: Vec<DataPoint> = found.points.iter().map(|row| row.0).collect();
+    let rows = found.points.iter().map(|(point, _, noise_n)| {
+        let mean_n = pair_mean_n(point, &all).filter(|_| !request.history);
+        (*point, noise_n.powi(-2), mean_n)
+    });
+    let mut rows: Vec<(DataPoint, f64, Option<f64>)> = rows.collect();
+    let paired: Vec<DataPoint> = rows.iter().filter(|r| r.2.is_some()).map(|r| r.0).collect();
     let of_pairs = targets(request, muscle, &paired);
     let pressures = distinct(paired.iter().map(|p| p.at.pressure_mpa)).len();
     let by_pairs = (1..=pressures).contains(&of_pairs.len());
     let (targets, points) = if by_pairs {
-        (of_pairs, &*paired)
+        rows.retain(|r| r.2.is_some());
+        (of_pairs, paired)
     } else {
-        (targets(request, muscle, points), points)
+        (targets(request, muscle, &all), all)
     };
     if targets.is_empty() || points.len() <= targets.len() {
         return None;
     }
-    let mut problem = Pulls::new(request, muscle, &targets, points);
-    // Points without an answer are left out, where they are few.
-    let (kept, means) = problem.means()?;
-    if 5 * (points.len() - kept.len()) > points.len() {
-        return None;
-    }
-    problem.points = &kept;
-    problem.means = means;
+    let mut problem = Pulls::new(request, muscle, &targets, &points);
+    problem.means = problem.without_friction()?;
     if by_pairs {
-        for (point, mean) in kept.iter().zip(&mut problem.means) {
-            mean.0 = pair_mean_n(point, points).unwrap_or(mean.0);
+        for (row, mean) in rows.iter().zip(&mut problem.means) {
+            mean.0 = row.2.unwrap_or(mean.0);
         }
     }
-    let unknowns = unknowns(&problem)?;
-    let start: Vec<f64> = unknowns.iter().map(|u| u.start).collect();
-    problem.scales = problem.mean_slopes(&start).unwrap_or(problem.scales);
-    let mut law = problem.found(&unknowns)?;
+    let weights: Vec<f64> = rows.iter().map(|r| r.1).collect();
+    let mut law = problem.found(&unknowns(&problem)?, &weights)?;
     let is_level = |p: &&mut Identified| p.target == Some(Target::Measure(&FRICTION_COEFFICIENT));
     if let (true, Some(level)) = (by_pairs, law.parameters.iter_mut().find(is_level)) {
         // At least that of the noise of a point, which few points do not show.
         let exponent = 2.0 * law.muscle.friction()?.exponent;
-        let slopes = kept.iter().map(|p| p.at.pressure_mpa.powf(exponent));
-        let noise_n = NOISE * peak(kept.iter().map(|p| p.at.force_n));
+        let slopes = points.iter().map(|p| p.at.pressure_mpa.powf(exponent));
+        let noise_n = NOISE * peak(points.iter().map(|p| p.at.force_n));
         let least = noise_n / slopes.sum::<f64>().sqrt();
         level.standard_error = level.standard_error.max(least);
         level.half_width = level.half_width.max(1.96 * least);

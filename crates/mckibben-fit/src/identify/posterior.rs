@@ -95,11 +95,17 @@ pub struct Zero {
 /// Points, the muscle that states what is known, its model and what is known before.
 #[derive(Clone, Copy)]
 pub struct PosteriorRequest<'a> {
+    /// What is stated of it is known before.
     pub muscle: &'a Muscle,
+    /// Measured pulls.
     pub points: &'a [DataPoint],
+    /// Binds the model to a muscle.
     pub build: &'a Build<'a>,
+    /// What other measured muscles taught.
     pub experience: &'a Experience,
+    /// Centre and deviation of each constant.
     pub prior: &'a Prior,
+    /// Says whether the caller still waits.
     pub progress: &'a dyn Progress,
     /// Bounds of constants within those that each has.
     pub bounds: &'a [(Constant, (f64, f64))],

@@ -41,6 +41,7 @@ pub struct Identified {
 
 /// A point with the residual of the model.
 #[derive(Debug, Clone, Copy, Serialize)]
+#[non_exhaustive]
 pub struct PointFit {
     /// The point.
     pub point: DataPoint,
@@ -68,6 +69,7 @@ pub struct Spread {
 
 /// The result of an identification.
 #[derive(Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct Identification {
     /// The free parameters, with value and error.
     pub parameters: Vec<Identified>,

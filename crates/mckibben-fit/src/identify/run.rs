@@ -151,7 +151,7 @@ fn identified(
     found: &Posterior,
 ) -> Result<Identification> {
     let muscle = base.with_constants(&found.constants)?;
-    let law = friction_law(request, &muscle, counted, found).unwrap_or_else(|| Found {
+    let law = friction_law(request, &muscle, found).unwrap_or_else(|| Found {
         muscle,
         parameters: vec![],
         left: vec![],

@@ -175,9 +175,9 @@ impl<'a> ChosenFit<'a> {
         let rows = fit(&counted).rows(&start).ok_or("no model at the start")?;
         let answered = counted.iter().zip(rows).filter(|row| row.1.is_ok());
         let points: Vec<DataPoint> = answered.map(|row| *row.0).collect();
-        let mut pulls = fit(&points);
-        pulls.scales = pulls.mean_slopes(&start).unwrap_or(pulls.scales);
-        Ok(pulls.found(&unknowns).ok_or("no minimum was found")?)
+        let weights: Vec<f64> = points.iter().map(|p| p.weight).collect();
+        let found = fit(&points).found(&unknowns, &weights);
+        found.ok_or_else(|| "no minimum was found".into())
     }
 
     /// The muscle that was found, with its bench: what points tell beside its constants.
