@@ -275,9 +275,7 @@ impl Drive {
                 for command in commands {
                     let (low, high) = command.bounds();
                     let supply_mpa = self.supply.pressure_mpa;
-                    MotionError::require(low >= 0.0, || {
-                        format!("a commanded pressure is {low}\u{a0}MPa; it must be at least zero")
-                    })?;
+                    within("a commanded pressure in MPa", low, 0.0, 100.0)?;
                     MotionError::require(high <= supply_mpa, || {
                         format!(
                             "the command is {high}\u{a0}MPa, above the supply pressure of \

@@ -10,6 +10,7 @@ use mckibben_core::{analysis::find_root, model::ModelError};
 
 /// A static equilibrium.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Equilibrium {
     /// q in mm or rad.
     pub coordinate: f64,

@@ -188,14 +188,12 @@ impl System {
         match guard {
             Guard::Stop(side) => {
                 let (low, high) = self.drive.mechanism.stops();
-                event.kind = if side < 0.0 {
-                    EventKind::LowerStop
+                (state.coordinate, event.kind) = if side < 0.0 {
+                    (low, EventKind::LowerStop)
                 } else {
-                    EventKind::UpperStop
+                    (high, EventKind::UpperStop)
                 };
-                event.lost_j =
-                    0.5e-3 * self.drive.mechanism.inertia() * state.velocity * state.velocity;
-                state.coordinate = if side < 0.0 { low } else { high };
+                event.lost_j = 0.5e-3 * self.drive.mechanism.inertia() * state.velocity.powi(2);
                 state.velocity = 0.0;
                 modes.stop = None;
                 drop(modes);

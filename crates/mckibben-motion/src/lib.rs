@@ -26,7 +26,6 @@
 //! ```
 
 // The physics is documented on its public types.
-#![warn(missing_docs)]
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
 mod air;

@@ -280,15 +280,7 @@ impl Member {
             let near = if pulls { self.near } else { 1e-3 * self.near };
             (at_mpa - p).abs() <= 10.0 * near * p && (at - contraction).abs() <= near
         };
-        let known = self
-            .memory
-            .kept
-            .borrow()
-            .iter()
-            .flatten()
-            .find(near)
-            .copied();
-        let (from_mpa, from, at) = match known {
+        let (from_mpa, from, at) = match self.kept(near) {
             Some(known) => known,
             None => (p, contraction, self.exact(p, contraction)?),
         };
@@ -301,17 +293,14 @@ impl Member {
         Ok(self.exact(p, contraction)?.moved(pressure_mpa - p, 0.0))
     }
 
+    /// The answer that is remembered of a state.
+    fn kept(&self, is: impl Fn(&&(f64, f64, Answer)) -> bool) -> Option<(f64, f64, Answer)> {
+        self.memory.kept.borrow().iter().flatten().find(is).copied()
+    }
+
     /// The answer of the model at a pressure of at least [`LEAST_MPA`].
     fn exact(&self, p: f64, contraction: f64) -> Result<Answer, ModelError> {
-        let known = self
-            .memory
-            .kept
-            .borrow()
-            .iter()
-            .flatten()
-            .find(|k| k.0 == p && k.1 == contraction)
-            .map(|k| k.2);
-        if let Some(at) = known {
+        if let Some((_, _, at)) = self.kept(|k| k.0 == p && k.1 == contraction) {
             return Ok(at);
         }
         let at = self.evaluate(p, contraction)?;

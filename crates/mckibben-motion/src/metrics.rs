@@ -26,6 +26,15 @@ struct Spot {
 struct Track(Vec<Spot>);
 
 impl Track {
+    /// Of times, values and slopes.
+    fn new(spots: impl Iterator<Item = (f64, f64, Option<f64>)>) -> Self {
+        Self(
+            spots
+                .map(|(time, value, slope)| Spot { time, value, slope })
+                .collect(),
+        )
+    }
+
     /// The last value up to a time.
     fn value_at(&self, t: f64) -> f64 {
         let after = self.0.partition_point(|spot| spot.time <= t);
@@ -80,37 +89,20 @@ impl Track {
 /// The time from 10 % to 90 % of the way between two positions within a piece.
 pub fn rise_time(motion: &Motion, from: f64, to: f64, piece: (f64, f64)) -> Option<f64> {
     let series = &motion.series;
-    let spots = series
-        .time_s
-        .iter()
-        .zip(series.coordinate.iter().zip(&series.velocity))
-        .map(|(time, (value, v))| Spot {
-            time: *time,
-            value: *value,
-            slope: Some(*v),
-        });
-    Track(spots.collect()).rise_time(from, to, piece)
+    let moved = series.coordinate.iter().zip(&series.velocity);
+    let spots = series.time_s.iter().zip(moved);
+    Track::new(spots.map(|(t, (q, v))| (*t, *q, Some(*v)))).rise_time(from, to, piece)
 }
 
 /// Where a command changes, with what it is before and after.
 pub fn changes(drive: &Drive) -> Vec<f64> {
-    let mut times = Vec::from_iter(
-        drive
-            .target
-            .commands()
-            .iter()
-            .filter(|c| c.period_s().is_none())
-            .flat_map(|c| {
-                let moved = |t: &f64| {
-                    c.value_within(*t, *t) != c.value_within(*t, t - 1e-9 * drive.until_s)
-                };
-                c.breakpoints()
-                    .into_iter()
-                    .filter(moved)
-                    .collect::<Vec<_>>()
-            })
-            .filter(|t| *t < drive.until_s),
-    );
+    let moves = |c: &Command, t: f64| {
+        t < drive.until_s && c.value(t) != c.value_within(t, t - 1e-9 * drive.until_s)
+    };
+    let mut times = vec![];
+    for c in drive.target.commands() {
+        times.extend(c.breakpoints().into_iter().filter(|t| moves(c, *t)));
+    }
     times.sort_by(f64::total_cmp);
     times.dedup();
     times
@@ -141,18 +133,13 @@ pub fn reached(drive: &Drive) -> Drive {
 /// Fills in the figures of a motion, of everything that was passed: with a long run the points of
 /// its series lie far apart. A load that still moves at the end is on its way to `goal`.
 pub fn step_figures(drive: &Drive, motion: &mut Motion, passed: &[Passed], goal: Option<f64>) {
-    let positions = passed.iter().map(|p| Spot {
-        time: p.time_s,
-        value: p.coordinate,
-        slope: Some(p.velocity),
-    });
-    let pressures = passed.iter().map(|p| Spot {
-        time: p.time_s,
-        value: p.gauge_mpa,
-        slope: None,
-    });
-    let positions = Track(positions.collect());
-    let pressures = Track(pressures.collect());
+    let spots = passed.iter();
+    let positions = Track::new(
+        spots
+            .clone()
+            .map(|p| (p.time_s, p.coordinate, Some(p.velocity))),
+    );
+    let pressures = Track::new(spots.map(|p| (p.time_s, p.gauge_mpa, None)));
     let mut times = changes(drive);
     times.push(drive.until_s);
     for pair in times.windows(2) {

@@ -7,6 +7,7 @@ use serde::{Serialize, Serializer};
 /// A motion.
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
+#[non_exhaustive]
 pub struct Motion {
     /// What was recorded, lists of one length.
     pub series: MotionSeries,

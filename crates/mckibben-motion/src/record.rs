@@ -251,31 +251,22 @@ impl Integration<'_> {
 }
 
 impl System {
-    /// Liquid that came from the supply in mm³ at atmospheric pressure; `None` of air.
-    fn supplied_mm3(&self, state: &State) -> Option<f64> {
-        self.drive
-            .muscles
-            .iter()
-            .zip(&state.muscles)
-            .map(|(muscle, now)| match &muscle.fluid {
-                Fluid::Liquid(liquid) => Some(liquid.volume_mm3(now.supplied_g)),
-                Fluid::Air(_) => None,
+    /// Liquid in mm³ at atmospheric pressure that came from the supply, or that syringes have pushed
+    /// out and not drawn back; `None` of air.
+    pub fn pushed_mm3(&self, state: &State) -> Option<f64> {
+        let muscles = self.drive.muscles.iter().zip(&state.muscles);
+        muscles
+            .map(|(muscle, now)| {
+                let Fluid::Liquid(liquid) = &muscle.fluid else {
+                    return None;
+                };
+                let of_syringe = match &muscle.actuator {
+                    Actuator::Syringe(s) => now.opening.unwrap_or_default() * s.volume_mm3,
+                    _ => 0.0,
+                };
+                Some(liquid.volume_mm3(now.supplied_g) + of_syringe)
             })
             .sum()
-    }
-
-    /// The same with what syringes have pushed out and not drawn back.
-    pub fn pushed_mm3(&self, state: &State) -> Option<f64> {
-        let pistons = self
-            .drive
-            .muscles
-            .iter()
-            .zip(&state.muscles)
-            .map(|(muscle, now)| match &muscle.actuator {
-                Actuator::Syringe(syringe) => now.opening.unwrap_or_default() * syringe.volume_mm3,
-                _ => 0.0,
-            });
-        Some(self.supplied_mm3(state)? + pistons.sum::<f64>())
     }
 
     /// Internal energy of all air or liquid in mJ, and the volume of all cavities in mm³.

@@ -70,11 +70,8 @@ pub fn size(drive: &Drive, rise_time_s: f64, progress: &dyn Progress) -> Result<
             Ok(motion) => {
                 // With friction it comes to rest beside the equilibrium: the rise time is that of
                 // the motion, once it has arrived at the one or settled beside it.
-                let is_there = rise_time(&motion, from, to, (begin, end)).is_some()
-                    || motion
-                        .steps
-                        .first()
-                        .is_some_and(|s| s.settling_time_s.is_some());
+                let is_there = motion.settling_time_s.is_some()
+                    || rise_time(&motion, from, to, (begin, end)).is_some();
                 Ok((motion.rise_time_s.filter(|_| is_there), motion))
             }
             // With a small valve the load may not be lifted in time.

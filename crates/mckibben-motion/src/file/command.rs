@@ -2,7 +2,7 @@
 
 use super::{
     Tables,
-    keys::{OfCommand, OfController, OfExternal, Output},
+    keys::{Gain, OfCommand, OfController, OfExternal, Output},
 };
 use crate::{
     command::Command,
@@ -18,11 +18,8 @@ use mckibben_core::{
 };
 use mckibben_io::table::{OverTime, read_over_time};
 use schemars::JsonSchema;
-use serde::{
-    Deserialize, Deserializer,
-    de::{SeqAccess, Visitor, value::SeqAccessDeserializer},
-};
-use std::{fmt, marker::PhantomData};
+use serde::{Deserialize, Deserializer, de::Error};
+use serde_json::Value;
 
 /// What a command over time is, for messages.
 const OVER_TIME: &str = "pairs of times and values such as [[\"0 s\", \"0 bar\"], [\"0.1 \
@@ -44,37 +41,14 @@ pub enum Course<Q> {
 
 impl<'de, Q: Deserialize<'de>> Deserialize<'de> for Course<Q> {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        struct Reader<Q>(PhantomData<Q>);
-
-        impl<'de, Q: Deserialize<'de>> Visitor<'de> for Reader<Q> {
-            type Value = Course<Q>;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str(OVER_TIME)
-            }
-
-            fn visit_str<E>(self, text: &str) -> Result<Course<Q>, E> {
-                Ok(Course::Said(text.to_owned()))
-            }
-
-            fn visit_f64<E>(self, number: f64) -> Result<Course<Q>, E> {
-                Ok(Course::Number(number))
-            }
-
-            fn visit_i64<E>(self, number: i64) -> Result<Course<Q>, E> {
-                Ok(Course::Number(number as f64))
-            }
-
-            fn visit_u64<E>(self, number: u64) -> Result<Course<Q>, E> {
-                Ok(Course::Number(number as f64))
-            }
-
-            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Course<Q>, A::Error> {
-                Vec::deserialize(SeqAccessDeserializer::new(seq)).map(Course::Pairs)
-            }
+        match Value::deserialize(from)? {
+            Value::String(text) => Ok(Self::Said(text)),
+            Value::Number(number) => Ok(Self::Number(number.as_f64().unwrap_or(f64::NAN))),
+            pairs if pairs.is_array() => Vec::deserialize(pairs)
+                .map(Self::Pairs)
+                .map_err(Error::custom),
+            other => Err(Error::custom(format!("is {other}, expected {OVER_TIME}"))),
         }
-
-        from.deserialize_any(Reader(PhantomData))
     }
 }
 
@@ -189,18 +163,43 @@ impl Commands<'_> {
                 "the controller's gain, in MPa (or opening) per unit of position",
             )
         })?;
+        let is_opening = keys.output == Some(Output::Opening);
+        let gain = |gain, key, units| self.gain(gain, key, is_opening, units);
         Ok(Pid {
-            proportional: keys.proportional,
-            integral_per_s: keys.integral,
-            derivative_s: keys.derivative,
+            proportional: gain(Some(keys.proportional), "proportional", ["", "/rad"])?,
+            integral_per_s: gain(keys.integral, "integral", ["/s", "/(rad s)"])?,
+            derivative_s: gain(keys.derivative, "derivative", [" s", " s/rad"])?,
             filter_s: keys.filter.map_or(0.01, f64::from),
             tracking_s: keys.tracking.map_or(0.1, f64::from),
-            output: match keys.output {
-                Some(Output::Opening) => PidOutput::Opening,
-                Some(Output::Pressure) | None => PidOutput::Pressure {
+            output: if is_opening {
+                PidOutput::Opening
+            } else {
+                PidOutput::Pressure {
                     bias_mpa: keys.bias.0,
-                },
+                }
             },
+        })
+    }
+
+    /// In MPa and one of two units: a muscle's, a joint's. The gain of an opening is a number.
+    fn gain(
+        &self,
+        gain: Option<Gain>,
+        key: &str,
+        is_opening: bool,
+        units: [&str; 2],
+    ) -> Result<f64, FileError> {
+        let text = match gain {
+            None => return Ok(0.0),
+            Some(Gain::Number(number)) => return Ok(number),
+            Some(Gain::Said(text)) => text,
+        };
+        let unit = units[usize::from(self.about_joint)];
+        let number = text.trim().strip_suffix(unit).filter(|_| !is_opening);
+        let value = number.and_then(|n| parse_quantity(n, Dimension::Pressure).ok());
+        value.ok_or_else(|| {
+            let said = format!("is no gain; write \"0.5 MPa{unit}\", or of an opening a number");
+            self.source.error(&format!("controller.{key}"), said)
         })
     }
 

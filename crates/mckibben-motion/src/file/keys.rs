@@ -261,15 +261,12 @@ pub struct OfRubber {
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OfController {
-    /// Gain in MPa (or opening) per contraction of 1, or in MPa/rad of a joint, whose commands are in
-    /// degrees
-    pub proportional: f64,
+    /// Gain in MPa (or opening) per contraction of 1, or in MPa/rad of a joint: 0.5 or "5 bar/rad"
+    pub proportional: Gain,
     /// Integral gain in MPa/s (or opening/s) per contraction of 1, or in MPa/(rad s) of a joint
-    #[serde(default)]
-    pub integral: f64,
+    pub integral: Option<Gain>,
     /// Derivative gain in MPa s (or opening s) per contraction of 1, or in MPa s/rad of a joint
-    #[serde(default)]
-    pub derivative: f64,
+    pub derivative: Option<Gain>,
     /// Time constant of the filter of the derivative
     pub filter: Option<Positive<Time>>,
     /// Time constant of the back-calculation
@@ -281,7 +278,15 @@ pub struct OfController {
     pub bias: Pressure,
 }
 
+/// A gain in the unit inside, or with its unit.
 #[derive(Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Gain {
+    Number(f64),
+    Said(String),
+}
+
+#[derive(Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Output {
     Pressure,

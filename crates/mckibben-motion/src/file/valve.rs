@@ -174,13 +174,7 @@ pub fn air(keys: &OfAir, source: &Source<'_>, wall_temperature_k: f64) -> Result
         (Some(_), Some(_)) => {
             return Err(source.error("air.polytropic_index", "conflicts with heat; keep one"));
         }
-        (None, Some(n)) if (1.0..=1.4).contains(&n) => Heat::Polytropic(n),
-        (None, Some(n)) => {
-            return Err(source.error(
-                "air.polytropic_index",
-                format!("is {n}; it must be from 1 to 1.4"),
-            ));
-        }
+        (None, Some(n)) => Heat::Polytropic(n),
         (None, None) => Heat::Isothermal,
         (Some(text), None) => heat(text.trim()).ok_or_else(|| {
             source.error(

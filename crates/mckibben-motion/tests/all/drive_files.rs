@@ -4,6 +4,8 @@ use mckibben_motion::*;
 
 const MUSCLE: &str = "muscle = 'm.toml'\n";
 const HEAD: &str = "muscle = 'm.toml'\n[valve]\nsonic_conductance = '0.5 L/(s bar)'\n";
+const GAINS: &str = "[controller]\nproportional = '5 bar'\nintegral = '0.2 MPa/s'\n\
+    derivative = '3 kPa s'\n";
 const TAIL: &str = "[command]\npressure = '3 bar'\nuntil = '1 s'\n";
 
 #[test]
@@ -86,6 +88,28 @@ fn liquids_have_valves_pumps_and_syringes() {
 }
 
 /// A start and a torque of a joint in rad, MPa and N mm against the angle; of a muscle a force.
+/// 5 bar = 0.5 MPa; a joint's gains are per rad.
+#[test]
+fn gains_are_read_with_their_units() {
+    let gains = |text: &str| {
+        let drive = parse_drive(text, &Tables::default()).unwrap();
+        let Commanded::Position { pid, .. } = drive.target else {
+            panic!()
+        };
+        [pid.proportional, pid.integral_per_s, pid.derivative_s]
+    };
+    let position = |value: &str| format!("[command]\nposition = '{value}'\nuntil = '1 s'\n");
+    let muscle = format!("{HEAD}{GAINS}{}", position("10%"));
+    assert_eq!(gains(&muscle), [0.5, 0.2, 0.003]);
+    let of_joint = GAINS
+        .replace("bar'", "bar/rad'")
+        .replace("MPa/s'", "MPa/(rad s)'")
+        .replace("kPa s'", "kPa s/rad'");
+    let joint = format!("{HEAD}{of_joint}{}", position("10 deg"));
+    let joint = joint.replace("muscle = 'm.toml'", "joint = 'j.toml'");
+    assert_eq!(gains(&joint), [0.5, 0.2, 0.003]);
+}
+
 #[test]
 fn starts_and_external_torques_are_read() {
     let read = |text: String| parse_drive(&text, &Tables::default());
@@ -185,6 +209,21 @@ fn files_say_where_they_are_wrong() {
         (
             format!("{HEAD}[command]\nposition = '10%'\nuntil = '1 s'\n"),
             "proportional",
+        ),
+        (
+            format!("{HEAD}[command]\nposition = true\nuntil = '1 s'\n"),
+            "ramp 0..3 bar in 2 s",
+        ),
+        (
+            format!("{HEAD}{GAINS}[command]\nposition = '10%'\nuntil = '1 s'\n")
+                .replace("MPa/s", "MPa/rad"),
+            "write \"0.5 MPa/s\"",
+        ),
+        (
+            format!(
+                "{HEAD}{GAINS}output = 'opening'\n[command]\nposition = '10%'\nuntil = '1 s'\n"
+            ),
+            "of an opening a number",
         ),
         (
             format!("{HEAD}[liquid]\nname = 'water'\n{TAIL}"),
