@@ -271,19 +271,14 @@ fn named(mut file: File, given: Option<&TextFile>) -> File {
     file
 }
 
-/// A joint has no folder: its muscles have.
+/// The folder of a joint is that of its muscle.
 fn of_joint(request: &BuildRequest) -> Option<Problem> {
     let file = request.muscle.file()?;
     let joint = parse_joint(&file.text).ok()?;
     let mut names: Vec<&str> = joint.files().collect();
     names.dedup();
-    let message = format!("{} is a joint, and a folder is of a muscle", file.name);
-    let hint = format!(
-        "build {}; at the neutral angle its heads are apart by L0 (1 - contraction_at_neutral) and \
-         the length on both plugs, as its folder states it",
-        names.join(", then ")
-    );
-    Some(ProblemKind::File.problem(message).with_hint(hint))
+    let message = format!("{} is a joint: build {}", file.name, names.join(" and "));
+    Some(ProblemKind::File.problem(message))
 }
 
 /// The plan of a muscle, and the pressures at which it fails.
@@ -411,8 +406,9 @@ fn operating(
     });
     let response = evaluation.response(pressure_mpa, free)?;
     let allowed_mpa = burst.allowed().map_or(f64::INFINITY, |allowed| allowed.mpa);
-    let highest_mpa = given_mpa.or(muscle.highest_set_mpa());
-    let highest_mpa = highest_mpa.unwrap_or(pressure_mpa);
+    let of_job = muscle.job().and_then(|job| job.highest);
+    let highest_mpa = of_job.map_or(pressure_mpa, |mpa| pressure_mpa.max(mpa.into()));
+    let highest_mpa = given_mpa.unwrap_or(highest_mpa);
     let relief_mpa = relief_mpa(highest_mpa, allowed_mpa);
     let job = muscle.job().into_iter().flat_map(|job| &job.points);
     let longest = job

@@ -80,9 +80,7 @@ pub fn paper(plan: &Plan) -> Document {
         title_block: plan.title_block.clone(),
         lead: plan.verdict().join(" "),
         parts,
-        footer: "A choice or an estimate is marked where it is not measured; sources are in \
-                 bom.csv and in the documentation."
-            .into(),
+        footer: "Sources are in bom.csv and in the documentation.".into(),
     }
 }
 
@@ -165,8 +163,7 @@ fn cut_list(plan: &Plan) -> [Part; 3] {
     [
         Part::table(&["part", "length", ""], rows),
         Text(format!(
-            "The strands of the sleeve keep their length, {strand} each, so that a wide sleeve is \
-             short and a narrow one is long.{strands} Measure its diameter where you cut it, and \
+            "The strands of the sleeve keep their length, {strand} each: a wide sleeve is short.{strands} Measure its diameter where you cut it, and \
              take the length from this table ({unit}):"
         )),
         Part::table(&[], by_diameter),
@@ -250,13 +247,13 @@ fn casting(plan: &Plan) -> Vec<String> {
             .into(),
         format!(
             "Mix {} mL of {name}: parts A and B by what its maker states (1 : 1 by mass: {half_g} g \
-             of each). That is a fifth more than the mould holds. Degas it under vacuum until it \
+             of each). Degas it under vacuum until it \
              has risen and fallen.",
             mixed_ml(plan)
         ),
         format!(
             "Press it in from below with a syringe of 60 mL, {} fillings, slowly, until it shows in \
-             both vents of the upright pipe: poured in from above it would enclose air. {flows}",
+             both vents of the upright pipe. {flows}",
             mm(mould.syringes())
         ),
         format!(
@@ -346,8 +343,7 @@ fn assembly(plan: &Plan) -> Vec<String> {
         format!("Cut tube and sleeve as the cut list says, square; {fray}."),
         format!(
             "Push the {} plug into the tube, until {} of the tube lie behind the barb or the first \
-             groove, up to the {}. A little isopropyl alcohol helps, and dries. Do not use oil: it \
-             attacks latex and natural rubber.",
+             groove, up to the {}. Isopropyl alcohol helps; oil attacks latex and natural rubber.",
             plan.fluid(),
             shown.length(stem.tube_mm()),
             if stem.shoulder_mm.is_some() { "shoulder" } else { "head" }
@@ -393,9 +389,8 @@ fn tests(plan: &Plan) -> Vec<String> {
     let mut steps = vec![
         fill.to_owned(),
         format!(
-            "Bolt it into the frame, which holds its length ({} between the heads; with a free length an \
-             end would carry the pressure on its bore only). The bolt of each end lies in a pair of \
-             bars with holes {}.",
+            "Bolt it into the frame, {} between the heads: the bolt of each end lies in a pair of bars with \
+             holes {}.",
             shown.length(plan.faces_mm(0.0)),
             mm(plan.air_plug.hole_mm)
         ),
@@ -413,9 +408,7 @@ fn tests(plan: &Plan) -> Vec<String> {
     ];
     if plan.liquid {
         steps.extend([
-            "Let the pressure off, and take it out of the frame. Fill it with its liquid: open the bleed screw at the upper \
-             end, press the liquid in from below with a syringe (or draw a vacuum above), until no \
-             bubble comes; close the screw."
+            "Let the pressure off, and take it out of the frame. Fill it with its liquid as with water."
                 .into(),
             format!(
                 "Leak test with {}: {leak} for five minutes, dry paper around both ends. No \
@@ -428,8 +421,7 @@ fn tests(plan: &Plan) -> Vec<String> {
             "Let the pressure off, then the water out; take the muscle out of the frame, and dry it."
                 .into(),
             format!(
-                "Leak test with air: {leak}, free to contract, so that the ends carry the pressure on \
-                 the bore only, under water, behind the screen, for one minute. No \
+                "Leak test with air: {leak}, free to contract, under water, behind the screen, for one minute. No \
                  bubble may grow. Then shut the valve: the pressure may fall by {} in five minutes (a \
                  choice).",
                 percent(0.05)
@@ -449,7 +441,7 @@ fn record(plan: &Plan) -> Part {
     let plug = &plan.air_plug;
     let [proof, leak] =
         [safety.proof_pressure_mpa, safety.leak_pressure_mpa].map(|p| shown.pressure(p));
-    let [held, stretched] = [0.0, -STRETCH].map(|e| shown.length(plan.faces_mm(e)));
+    let [rest, stretched] = [0.0, -STRETCH].map(|e| shown.length(plan.faces_mm(e)));
     let lost = match plan.liquid {
         true => "no spot",
         false => "5 % of the pressure at most",
@@ -463,7 +455,7 @@ fn record(plan: &Plan) -> Part {
         ),
         (
             "between the heads, at rest",
-            format!("{held} ± {}", shown.tolerance(FACES_MM)),
+            format!("{rest} ± {}", shown.tolerance(FACES_MM)),
         ),
         ("angle of the strands", format!("{}° ± 1°", angle(plan))),
         ("a quarter of a turn of a strand", quarter_turn(plan)),
@@ -473,9 +465,8 @@ fn record(plan: &Plan) -> Part {
             format!("{} g (known parts)", significant(plan.mass_g(), 3)),
         ),
         ("built by, date", none()),
-        ("proof: length held", held),
-        ("pressure, with water", proof),
-        ("then stretched, one minute", stretched),
+        ("proof with water", proof),
+        ("stretched to, one minute", stretched),
         ("load of an end", plan.proof_load()),
         ("marks moved", "0 mm".into()),
         ("leak test", format!("{leak}, {}", plan.fluid())),

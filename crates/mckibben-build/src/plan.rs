@@ -42,22 +42,30 @@ pub struct Wishes {
 /// All numbers of a build.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
+    /// With the length on its plugs stated.
     pub muscle: Muscle,
     /// Its results by a model.
     pub operating: Operating,
+    /// Whether it is filled with a liquid, else with air.
     pub liquid: bool,
+    /// Units of all texts.
     pub shown: Shown,
+    /// Names and texts of the fields of each drawing.
     pub title_block: Vec<(String, String)>,
+    /// Lengths of tube and sleeve.
     pub cut: Cut,
     /// Diameter over the sleeve in mm: two strands cross on each side.
     pub over_sleeve_mm: f64,
     /// Diameter in mm over tube and sleeve on a plug, on which a clamp closes; that over the sleeve
     /// on a shoulder is the same.
     pub clamped_diameter_mm: f64,
+    /// What pulls on the ends in use and in the proof test.
     pub loads: EndLoads,
+    /// How tube and sleeve are held.
     pub ends: Ends,
     /// The plug with the passage.
     pub air_plug: Plug,
+    /// The plug without a passage.
     pub eye_plug: Plug,
     /// Pressures of the tests.
     pub safety: Safety,
@@ -81,6 +89,10 @@ const LEAST_PROOF: f64 = 1.2;
 pub const USUAL_PROOF: f64 = 1.5;
 
 impl Plan {
+    /// All numbers of a muscle with results by a model.
+    ///
+    /// # Errors
+    /// [`Refused`] where no plug, bolt or clamp bears the proof test, with what would have to give.
     pub fn new(muscle: Muscle, operating: Operating, wishes: &Wishes) -> Result<Self, Refused> {
         let job = muscle.job();
         let wishes = &Wishes {
@@ -138,9 +150,16 @@ impl Plan {
         material::tube_of(&self.muscle, &self.cut).is_some_and(|tube| tube.is_cast)
     }
 
-    /// Equal muscles side by side, of which it is one.
+    /// Radius in mm of the pulley of its joint, and the contraction with which it is mounted there.
+    pub(crate) fn of_joint(&self) -> Option<(f64, f64)> {
+        let job = self.muscle.job()?;
+        Some((job.pulley?.into(), job.contraction_at_neutral?.into()))
+    }
+
+    /// Equal muscles that are built: a joint has them on both sides.
     pub(crate) fn count(&self) -> u32 {
-        self.muscle.job().and_then(|job| job.count).unwrap_or(1)
+        let side_by_side = self.muscle.job().and_then(|job| job.count).unwrap_or(1);
+        self.of_joint().map_or(1, |_| 2) * side_by_side
     }
 
     /// What fills it, in a word.
@@ -304,12 +323,17 @@ impl Plan {
 pub struct EndParts {
     /// The muscle with the length on its plugs stated.
     pub muscle: Muscle,
+    /// Lengths of tube and sleeve.
     pub cut: Cut,
+    /// How tube and sleeve are held.
     pub ends: Ends,
+    /// The plug with the passage.
     pub air_plug: Plug,
+    /// The plug without a passage.
     pub eye_plug: Plug,
     /// Diameter over the sleeve on the tube, and on a plug, in mm.
     pub over_sleeve_mm: f64,
+    /// Diameter over tube and sleeve on a plug, in mm.
     pub clamped_diameter_mm: f64,
 }
 

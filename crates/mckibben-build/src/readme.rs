@@ -51,15 +51,27 @@ impl Plan {
             )
         };
         let count = self.count();
-        let all = operating.pulls.first().and_then(|at| at.required_n);
-        let all = all.map_or_else(String::new, |n| {
-            format!(
-                ", which pull {} where they lie side by side",
-                shown.force(f64::from(count) * n)
-            )
-        });
+        let required_n = operating.pulls.first().and_then(|at| at.required_n);
+        let together = match (self.of_joint(), required_n) {
+            (Some((radius_mm, contraction)), _) => format!(
+                "on both sides of a pulley with a radius of {}, mounted with the inner faces of the \
+                 heads {} apart at the neutral angle",
+                shown.length(radius_mm),
+                shown.length(self.faces_mm(contraction))
+            ),
+            (None, Some(n)) => {
+                format!(
+                    "side by side, which pull {}",
+                    shown.force(f64::from(count) * n)
+                )
+            }
+            _ => "side by side".to_owned(),
+        };
         let count = (count > 1).then(|| {
-            format!("It is one of {count} equal muscles{all}: build {count}; all numbers are those of one.")
+            format!(
+                "It is one of {count} equal muscles {together}: build {count}; all numbers are those \
+                 of one."
+            )
         });
         let pulls = operating.pulls.iter().map(pull);
         pulls.chain([at_rest]).chain(count).collect()
@@ -122,12 +134,7 @@ impl Plan {
                 .to_owned()
         });
         let warnings = self.warnings();
-        let sentence = |text: String| {
-            let mut letters = text.chars();
-            let first = letters.next().map(|c| c.to_uppercase().to_string());
-            first.unwrap_or_default() + letters.as_str() + "."
-        };
-        let warnings = warnings.into_iter().map(sentence);
+        let warnings = warnings.into_iter().map(|text| format!("Warning: {text}."));
         unknown
             .into_iter()
             .chain(raised)

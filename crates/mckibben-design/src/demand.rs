@@ -126,18 +126,16 @@ impl JointDemand {
 /// What is left in mm for the width of one muscle beside the other one at rest, where both must have
 /// room on a pulley.
 pub fn room_on_pulley_mm(demand: &Demand, radius_mm: f64, rest_mm: f64) -> Option<f64> {
-    let Demand::Joint(joint) = demand else {
-        return None;
-    };
+    let joint = demand.joint()?;
     let room_mm = 4.0 * radius_mm - 2.0 * ROOM_MM - rest_mm;
     joint.beside.then_some(room_mm.max(NO_ROOM_MM))
 }
 
 impl Demand {
-    /// The radii of the pulley of a joint in mm.
-    pub fn radii_mm(&self) -> Option<&Values> {
+    /// The joint that is wanted.
+    pub fn joint(&self) -> Option<&JointDemand> {
         match self {
-            Self::Joint(joint) => Some(&joint.radii_mm),
+            Self::Joint(joint) => Some(joint),
             _ => None,
         }
     }
@@ -252,7 +250,7 @@ impl Demand {
                 ));
             }
         }
-        let widest_mm = self.radii_mm().map_or(0.0, |radii| radii.bounds().1);
+        let widest_mm = self.joint().map_or(0.0, |joint| joint.radii_mm.bounds().1);
         let points = self.points(length_mm, widest_mm);
         if points.is_empty() {
             return refused(

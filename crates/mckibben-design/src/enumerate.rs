@@ -127,8 +127,8 @@ pub fn lengths(spec: &Spec) -> Vec<f64> {
 
 /// The radii of the pulley in mm; one that means nothing without a joint.
 pub fn radii(spec: &Spec) -> Vec<f64> {
-    let radii = spec.wanted.radii_mm();
-    radii.map_or(vec![0.0], |radii| grid(radii, RADII))
+    let joint = spec.wanted.joint();
+    joint.map_or(vec![0.0], |joint| grid(&joint.radii_mm, RADII))
 }
 
 /// The values of an axis: round ones within an interval, both ends in, in about `most` steps.

@@ -2,7 +2,7 @@
 //! best on with the model that decides.
 
 use crate::{
-    Candidate, Check, Demand, Models, Objective, Rejected, Spec, SpecError,
+    Candidate, Check, Models, Objective, Rejected, Spec, SpecError,
     assess::Assessed,
     bundle::envelope_ratio,
     demand::{OperatingPoint, room_on_pulley_mm},
@@ -62,7 +62,7 @@ impl<'a> Search<'a> {
             invalid: None,
         };
         // Of a joint, single pairs that may do by their ideal pull come first.
-        let is_joint = matches!(spec.wanted, Demand::Joint(_));
+        let is_joint = spec.wanted.joint().is_some();
         search.screen(&lengths(spec), is_joint)?;
         if is_joint && !search.has_single() {
             search.screened.clear();
@@ -253,7 +253,7 @@ fn preferred(spec: &Spec, held: &Held, count: u32, score: f64) -> f64 {
     let is_several = count > spec.count;
     match spec.objective {
         // The muscles of a joint are one pair where one does.
-        _ if is_several && matches!(spec.wanted, Demand::Joint(_)) => FAR * score,
+        _ if is_several && spec.wanted.joint().is_some() => FAR * score,
         Objective::Pressure | Objective::Air | Objective::Chance => score,
         _ if is_several || held.is_cast => PREFERRED * score,
         _ => score,

@@ -343,7 +343,7 @@ impl Spec {
             ("the length", self.length_mm.as_ref().map(Values::bounds)),
             (
                 "the radius of the pulley",
-                self.wanted.radii_mm().map(Values::bounds),
+                self.wanted.joint().map(|joint| joint.radii_mm.bounds()),
             ),
             ("the pitch", self.pitch_mm.and_then(one)),
             ("`top`", one(self.top as f64)),
@@ -398,8 +398,8 @@ impl Spec {
         if self.wanted.extends() {
             return Ok(());
         }
-        let radii = self.wanted.radii_mm();
-        let least_mm = radii.map_or(0.0, |radii| radii.bounds().0);
+        let joint = self.wanted.joint();
+        let least_mm = joint.map_or(0.0, |joint| joint.radii_mm.bounds().0);
         let points = self.wanted.points(length_mm, least_mm);
         let required = peak(points.iter().map(|q| q.contraction));
         let least_deg = self.least_angle_deg();
@@ -459,8 +459,11 @@ pub enum SpecError {
          at most, no braid by more than 42.2 %"
     )]
     OutOfReach {
+        /// Percent.
         required: f64,
+        /// Percent, of the largest angle that is searched.
         most: f64,
+        /// The smallest angle of the search.
         least_deg: f64,
     },
     /// No combination is a muscle at all.

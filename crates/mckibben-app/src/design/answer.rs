@@ -190,6 +190,15 @@ pub struct ClosestAnswer {
     pub relaxations: Vec<RelaxationAnswer>,
 }
 
+fn joint_of(c: &Candidate, spec: &Spec) -> Option<CandidateJoint> {
+    let joint = spec.wanted.joint()?;
+    Some(CandidateJoint {
+        radius_mm: c.radius_mm,
+        contraction_at_neutral: joint.contraction_at_neutral(c.radius_mm, c.muscle.length_mm()),
+        largest_angle_deg: joint.largest_angle_deg,
+    })
+}
+
 /// The muscle of a candidate, which knows its job.
 pub fn muscle_file(place: usize, candidate: &Candidate, spec: &Spec) -> TextFile {
     let name = match place {
@@ -203,6 +212,7 @@ pub fn muscle_file(place: usize, candidate: &Candidate, spec: &Spec) -> TextFile
         contraction: q.response.contraction.into(),
     });
     let mut muscle = candidate.muscle.clone();
+    let joint = joint_of(candidate, spec);
     if let Some(pressure) = Positive::new(candidate.pressure_mpa.into()) {
         muscle = muscle.with_job(Job {
             pressure,
@@ -213,6 +223,8 @@ pub fn muscle_file(place: usize, candidate: &Candidate, spec: &Spec) -> TextFile
             branch: Some(spec.options().direction),
             liquid: spec.liquid.as_ref().map(|l| l.liquid.name.to_owned()),
             count: Some(candidate.count).filter(|count| *count > 1),
+            pulley: joint.and_then(|joint| Positive::new(joint.radius_mm.into())),
+            contraction_at_neutral: joint.map(|joint| joint.contraction_at_neutral.into()),
             points: points.collect(),
         });
     }
@@ -223,6 +235,7 @@ pub fn muscle_file(place: usize, candidate: &Candidate, spec: &Spec) -> TextFile
 }
 
 impl SearchedAnswer {
+    /// What a search held fixed and what it varied.
     pub fn new(spec: &Spec) -> Self {
         let has_strength = |braid: &Braid| braid.strands.is_some_and(|s| s.strength_n.is_some());
         Self {
@@ -276,17 +289,10 @@ fn braid_of(spec: &Spec) -> String {
 }
 
 impl CandidateAnswer {
+    /// A candidate with the numbers of its joint, ends and limits.
     pub fn new(c: &Candidate, spec: &Spec) -> Self {
         Self {
-            joint: match &spec.wanted {
-                Demand::Joint(joint) => Some(CandidateJoint {
-                    radius_mm: c.radius_mm,
-                    contraction_at_neutral: joint
-                        .contraction_at_neutral(c.radius_mm, c.muscle.length_mm()),
-                    largest_angle_deg: joint.largest_angle_deg,
-                }),
-                _ => None,
-            },
+            joint: joint_of(c, spec),
             muscle: (&c.muscle).into(),
             candidate: c.clone(),
             bulged_diameter_mm: c.bulged_diameter_mm(),

@@ -9,7 +9,7 @@ use mckibben_core::{
     progress::Progress,
     units::typed::{Pressure, Time},
 };
-use mckibben_design::{Candidate, Demand, Spec};
+use mckibben_design::{Candidate, Spec};
 use mckibben_motion::{NamedValve, valves};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -48,7 +48,7 @@ impl DesignRequest {
             return Ok(None);
         };
         let frequency_hz = above_zero(ProblemKind::Range, "cycle_hz", frequency)?;
-        if matches!(spec.wanted, Demand::Joint(_)) || spec.liquid.is_some() {
+        if spec.wanted.joint().is_some() || spec.liquid.is_some() {
             return Err(Problem::usage(
                 "`cycle_hz` sizes the valve of muscles that air fills, without a joint",
                 "`motion` computes a drive",

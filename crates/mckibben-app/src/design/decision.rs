@@ -77,7 +77,7 @@ impl Search<'_> {
                 number(ends.mass_g, 2)
             );
         }
-        if self.spec.wanted.radii_mm().is_some() {
+        if self.spec.wanted.joint().is_some() {
             let radius = plain(Dimension::Length, first.radius_mm);
             take += &format!(", on a pulley of radius {radius}");
             if 4.0 * first.radius_mm < first.width_mm + first.muscle.outer_diameter_mm() {
@@ -175,6 +175,7 @@ fn measure(first: &Candidate, words: &UncertaintyWords) -> Option<String> {
 }
 
 impl ChoiceAnswer {
+    /// A choice with its chance and the words for it.
     pub fn new(Choice { kind, candidate: c }: &Choice, spec: &Spec) -> Self {
         let is = match kind {
             ChoiceKind::Take => "take: ",

@@ -58,6 +58,7 @@ const EXTENSILE_DEG: Values = Values::Interval(57.0, 72.0);
 const SECTIONS: [(f64, f64); 2] = [(5.0, 80.0), (0.5, 10.0)];
 
 impl DesignRequest {
+    /// The search that a request describes.
     pub fn search(&self) -> Result<Search<'_>> {
         self.validate()?;
         let (base, wanted) = self.demand()?;

@@ -15,11 +15,7 @@ const SHAPES: usize = 6;
 
 /// Four panels: the curve, the shape of half the muscle, strand tension and strand angle along it.
 pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) -> Figure {
-    let mut figure = Figure::new(format!(
-        "{} test, finite elements",
-        capital(&test.to_string())
-    ))
-    .sequential();
+    let mut figure = Figure::new(format!("Finite elements: {test} test")).sequential();
     let (x, y) = axes(test, u);
     let mut curve = Panel::new(x, y);
     let mut fixed = Vec::from_iter(points.iter().map(|q| key(test, q)));
@@ -110,13 +106,6 @@ fn along_the_muscle(shown: &[(&Simulated, &Solution)], u: &Units) -> [Panel; 3] 
         tension.title("strand tension"),
         angle.title("strand angle"),
     ]
-}
-
-fn capital(word: &str) -> String {
-    let mut letters = word.chars();
-    letters
-        .next()
-        .map_or_else(String::new, |c| c.to_uppercase().chain(letters).collect())
 }
 
 /// What is fixed along the curve of a point.

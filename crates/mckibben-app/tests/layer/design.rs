@@ -210,6 +210,47 @@ fn a_largest_mass_counts_the_ends() {
     }
 }
 
+/// The folder of a joint's muscle is of those on both sides: twice the air, and the heads at the
+/// neutral angle by L0 (1 − ε) and the length on both plugs.
+#[test]
+fn identity_the_folder_of_a_joint_is_of_both_sides() {
+    let text = include_str!("../../../../examples/prototype.toml");
+    let job = "\n[job]\npressure = '2 bar'\npoints = [{ force = '300 N', contraction = 0.1 }]\n";
+    let built = |more: &str| {
+        let file = json!({"name": "m.toml", "text": format!("{text}{job}{more}")});
+        reply("build", json!({"muscle": {"file": file}}))
+    };
+    let page = |built: &Value| {
+        let files = built["files"].as_array().unwrap().iter();
+        let mut pages = files.filter(|file| file["name"] == "README.md");
+        pages.next().unwrap()["text"].as_str().unwrap().to_owned()
+    };
+    let (one, two) = (
+        built(""),
+        built("pulley = '30 mm'\ncontraction_at_neutral = '5 %'\n"),
+    );
+    let heads_mm = one["heads_distance_mm"].as_f64().unwrap();
+    let free_mm = one["muscle"]["length_mm"].as_f64().unwrap();
+    let mounted = format!(
+        "heads {} mm apart",
+        (10.0 * (heads_mm - 0.05 * free_mm)).round() / 10.0
+    );
+    let page_of_two = page(&two);
+    for part in [
+        "2 equal muscles",
+        "radius of 30 mm",
+        "air of all 2",
+        &mounted,
+    ] {
+        assert!(page_of_two.contains(part), "{part}: {page_of_two}");
+    }
+    assert!(!page(&one).contains("pulley"));
+    let muscle = two["files"].as_array().unwrap().iter();
+    let mut muscle = muscle.filter(|file| file["name"] == "muscle.toml");
+    let muscle = muscle.next().unwrap()["text"].as_str().unwrap();
+    assert!(muscle.contains("pulley = \"30 mm\""), "{muscle}");
+}
+
 /// The folder of a build says what `force` says of the muscle file: on the branch of its job, which
 /// is named. It was that of a shortening muscle, whatever the job was.
 #[test]

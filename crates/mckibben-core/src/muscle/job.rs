@@ -3,7 +3,7 @@
 use super::{Direction, Muscle};
 use crate::units::{
     Positive,
-    typed::{Force, Pressure, Ratio},
+    typed::{Force, Length, Pressure, Ratio},
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -26,6 +26,10 @@ pub struct Job {
     pub liquid: Option<String>,
     /// Equal muscles side by side, of which it is one
     pub count: Option<u32>,
+    /// Radius of the pulley on which it and an equal one, or as many, turn a joint
+    pub pulley: Option<Positive<Length>>,
+    /// Contraction with which it is mounted there, at the neutral angle
+    pub contraction_at_neutral: Option<Ratio>,
     /// Pulls at contractions that are required of it, first the one that takes the pressure
     #[serde(default)]
     pub points: Vec<JobPoint>,
@@ -52,13 +56,6 @@ impl Muscle {
     pub fn with_job(mut self, job: Job) -> Self {
         self.job = Some(Arc::new(job));
         self
-    }
-
-    /// The highest pressure in MPa to set, where it was designed for a job.
-    pub fn highest_set_mpa(&self) -> Option<f64> {
-        let job = self.job()?;
-        let highest_mpa = job.highest.map_or(0.0, f64::from);
-        Some(highest_mpa.max(job.pressure.into()))
     }
 
     /// The pressure to set in MPa, where it was designed for one.
