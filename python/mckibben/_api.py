@@ -5327,15 +5327,15 @@ class Relaxation(Record):
     certainty
         From 0.5.
     bulged_diameter_mm : mm
-        See the documentation.
+        Largest diameter in mm.
     envelope_mm : mm
-        See the documentation.
+        Diameter of the circle in mm.
     pitch_mm : mm
-        See the documentation.
+        Distance of the axes in mm.
     mass_g : g
-        See the documentation.
+        Mass in g.
     max_stretch
-        See the documentation.
+        Largest principal stretch.
     strand_strain
         Largest strain at the maximum pressure.
     burst_margin
@@ -5377,15 +5377,15 @@ class RelaxationAnswer(Record):
     certainty
         From 0.5.
     bulged_diameter_mm : mm
-        See the documentation.
+        Largest diameter in mm.
     envelope_mm : mm
-        See the documentation.
+        Diameter of the circle in mm.
     pitch_mm : mm
-        See the documentation.
+        Distance of the axes in mm.
     mass_g : g
-        See the documentation.
+        Mass in g.
     max_stretch
-        See the documentation.
+        Largest principal stretch.
     strand_strain
         Largest strain at the maximum pressure.
     burst_margin

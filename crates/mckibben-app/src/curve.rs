@@ -273,6 +273,7 @@ pub fn list<Q>(
     }
 }
 
+/// Contractions of a request as ratios of the length, or else the default.
 pub fn contractions(
     values: &Option<Contractions>,
     length_mm: f64,
@@ -314,6 +315,7 @@ pub fn check_count(counts: &[usize], most: usize) -> Result<()> {
     ))
 }
 
+/// The points that have an answer.
 pub fn answered<'a>(list: impl IntoIterator<Item = &'a Curve>) -> impl Iterator<Item = &'a Answer> {
     list.into_iter()
         .flat_map(|c| &c.points)
@@ -499,6 +501,7 @@ pub struct StudyRow {
     pub wall_mm: Option<f64>,
 }
 
+/// The command `curve --study thickness`: pulls by wall thickness, as figures of the paper.
 pub fn study(request: &StudyRequest) -> Result<StudyAnswer> {
     let QuestionFields {
         muscle: m,

@@ -129,6 +129,7 @@ impl Show for ExportListAnswer {
     }
 }
 
+/// The command `export --list`: all targets.
 pub fn export_list(_request: &ExportListRequest) -> Result<ExportListAnswer> {
     Ok(ExportListAnswer {
         targets: ExportTarget::ALL.into(),
@@ -343,6 +344,7 @@ impl Show for ExportJointAnswer {
     }
 }
 
+/// The command `export` of a joint.
 pub fn export_joint(request: &ExportJointRequest) -> Result<ExportJointAnswer> {
     let common = &request.common;
     let target = common.target()?;

@@ -112,6 +112,7 @@ pub struct NamedFigure {
 }
 
 impl FitAnswer {
+    /// The text of a formula file.
     pub fn formula_file(&self) -> String {
         match &self.formula {
             Document::Section(formula) => formula.to_json(),
@@ -351,6 +352,7 @@ pub struct CheckFormulaAnswer {
     pub latex: Option<String>,
 }
 
+/// The command `check` of a formula file.
 pub fn check_formula(request: &CheckFormulaRequest) -> Result<CheckFormulaAnswer> {
     let mut coefficients = vec![];
     let formula = match (&request.file, request.name.as_deref()) {

@@ -122,6 +122,7 @@ const MOST_ROUNDS: usize = 30;
 /// Memory of a point of a map, bytes.
 const MAP_POINT_BYTES: f64 = 500.0;
 
+/// The command `joint`: torques and stiffnesses of two muscles on a joint.
 pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAnswer> {
     let joint = request.joint.resolve()?;
     let named = request.model.choose()?;

@@ -257,6 +257,7 @@ impl MuscleSummary {
         }
     }
 
+    /// The muscle on one line.
     pub fn line(&self, u: &Units) -> String {
         format!(
             "D0 {}, s {}, L0 {}, θ0 {}°, rubber {}, braid {}",

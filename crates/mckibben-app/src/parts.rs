@@ -138,6 +138,7 @@ pub fn model_details(name: &str) -> Result<Option<ModelDetails>> {
     }))
 }
 
+/// A catalogue of the program that cannot be read.
 pub fn unread(error: tubes::TubeError) -> Problem {
     ProblemKind::Specification.problem(error)
 }
@@ -203,6 +204,7 @@ pub fn parts_list(request: &PartsListRequest) -> Result<PartsListAnswer> {
     })
 }
 
+/// The command `parts` with the name of a part.
 pub fn part_show(request: &PartShowRequest) -> Result<PartShowAnswer> {
     let tubes = tubes::catalogue().map_err(unread)?;
     let name = request.name.as_str();

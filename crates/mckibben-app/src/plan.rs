@@ -52,6 +52,7 @@ pub fn plan_of<'a>(
     Ok((plan, file))
 }
 
+/// The command `campaign --dry-run`: size, cost and first rows of a plan.
 pub fn plan(request: &PlanRequest, progress: &dyn Progress) -> Result<PlanAnswer> {
     let (plan, file) = plan_of(&request.plan, &None)?;
     let points = plan

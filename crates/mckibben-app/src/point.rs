@@ -264,6 +264,7 @@ pub fn given(field: &str, value: Option<impl Into<f64>>, expected: &str) -> Resu
     )
 }
 
+/// A number of a request that is finite.
 pub fn finite(field: &str, value: impl Into<f64>) -> Result<f64> {
     let value = value.into();
     if value.is_finite() {
@@ -328,11 +329,15 @@ impl From<MuscleFields> for QuestionFields {
 
 /// A model bound to its muscle, with the workspace of this request.
 pub struct Question {
+    /// Whose pull is asked.
     pub muscle: Muscle,
     /// The model before it was bound.
     pub choice: Model,
+    /// What computes the pull.
     pub model: Box<dyn ForceModel>,
+    /// Memory of the model between its answers.
     pub workspace: Workspace,
+    /// Friction and branch that the answer takes.
     pub options: Options,
     /// Whether a model was named.
     pub is_model_named: bool,
@@ -355,6 +360,7 @@ impl Question {
 }
 
 impl QuestionFields {
+    /// Binds the model to the muscle.
     pub fn ask(&self) -> Result<Question> {
         let choice = self.model.choose()?;
         let muscle = self.muscle.resolve_for(&choice)?;

@@ -99,6 +99,7 @@ pub enum ProblemKind {
 /// How a request ended that did not end well; the numbers are the exit codes of the command line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Ending {
+    /// The question has no answer, such as a pull beyond every pressure.
     NoAnswer = 1,
     /// The request is wrong.
     WrongInput = 2,
@@ -248,6 +249,7 @@ impl Problem {
 
 /// Whether a field of a request is given.
 pub trait Given {
+    /// Whether the caller states it.
     fn is_given(&self) -> bool;
 }
 

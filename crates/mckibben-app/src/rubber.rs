@@ -37,6 +37,7 @@ pub struct RubberSummary {
 /// A rubber with its laws, its source and its terms.
 #[derive(Debug, PartialEq, Serialize, JsonSchema)]
 pub struct RubberDetails {
+    /// Its row of the library.
     #[serde(flatten)]
     pub entry: RubberEntry,
     /// The laws that can be requested: `NAME:LAW`.
@@ -97,6 +98,7 @@ pub struct FittedToCurve {
     pub planar_difference: f64,
 }
 
+/// The command `rubber` without data: all named rubbers.
 pub fn rubbers() -> Result<Vec<RubberSummary>> {
     let one = |entry: &RubberEntry| {
         let law = rubber(&entry.name)?.law;

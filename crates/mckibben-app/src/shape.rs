@@ -70,6 +70,7 @@ pub struct ShapeAnswer {
     pub arrays: BTreeMap<String, Vec<f64>>,
 }
 
+/// The command `shape`: the deformed tube along its length.
 pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer> {
     let muscle = request.muscle.resolve()?;
     let model = request.mesh.model("fe")?;

@@ -25,6 +25,7 @@ pub struct Scale {
     pub name: Cow<'static, str>,
     /// By what a value inside is multiplied.
     factor: (f64, f64),
+    /// Significant digits of what is shown.
     pub digits: usize,
 }
 
@@ -32,13 +33,19 @@ pub struct Scale {
 pub const NUMBER: Scale = Scale::fixed("");
 /// Ratios, in per cent.
 pub const PERCENT: Scale = Scale::constant("%", 100.0);
+/// Angles.
 pub const DEGREES: Scale = Scale::fixed("°");
+/// Masses.
 pub const GRAMS: Scale = Scale::fixed("g");
+/// Energies.
 pub const JOULES: Scale = Scale::fixed("J");
 /// Moduli and stresses, which stay in MPa.
 pub const MEGAPASCALS: Scale = Scale::fixed("MPa");
+/// Sizes of files, from bytes.
 pub const MEGABYTES: Scale = Scale::constant("MB", 1e-6);
+/// Air at 0 °C and 1.01325 bar.
 pub const NORMAL_LITRES: Scale = Scale::fixed("normal L");
+/// Torques.
 pub const NEWTON_METRES: Scale = Scale::fixed("N m");
 
 impl Scale {
@@ -87,10 +94,12 @@ impl Scale {
         }
     }
 
+    /// A value inside as the number shown.
     pub fn value(&self, inside: f64) -> f64 {
         inside * self.factor.0 / self.factor.1
     }
 
+    /// A value inside as a text with its unit.
     pub fn show(&self, inside: f64) -> String {
         self.with_unit(self.bare(inside))
     }
@@ -109,6 +118,7 @@ impl Scale {
         format!("{}{JOIN}{}", self.bare(inside), self.name)
     }
 
+    /// A value inside as a text without its unit.
     pub fn bare(&self, inside: f64) -> String {
         self.to(inside, self.digits)
     }
@@ -132,6 +142,7 @@ impl Scale {
         half_width(self.value(inside))
     }
 
+    /// The heading of a column: symbol and unit.
     pub fn heading(&self, symbol: &str) -> String {
         format!("{symbol} [{}]", self.name)
     }
@@ -144,8 +155,11 @@ const KINDS: [Dimension; 3] = [Dimension::Pressure, Dimension::Force, Dimension:
 /// is not named is in MPa, N and mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Units {
+    /// Inside MPa.
     pub pressure: Scale,
+    /// Inside N.
     pub force: Scale,
+    /// Inside mm.
     pub length: Scale,
     /// Volumes: cm³, or in³ beside inches.
     pub volume: Scale,
@@ -175,14 +189,17 @@ impl Units {
         }
     }
 
+    /// Force per length.
     pub fn stiffness(&self) -> Scale {
         self.force.per(&self.length)
     }
 
+    /// Force per pressure.
     pub fn slope(&self) -> Scale {
         self.force.per(&self.pressure)
     }
 
+    /// Length per second.
     pub fn speed(&self) -> Scale {
         Scale {
             name: format!("{}/s", self.length.name).into(),

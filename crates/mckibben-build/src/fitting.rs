@@ -7,6 +7,7 @@ use thiserror::Error;
 /// The connection of the hose: a push-in fitting, or a bought barb, in a thread.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fitting {
+    /// Of the port that takes it.
     pub thread: Thread,
     /// Bore of the hose of a barb in mm.
     pub hose_mm: Option<f64>,

@@ -7,6 +7,7 @@ use std::{collections::HashMap, f64::consts::TAU};
 /// A closed surface of triangles, in mm; corners run counter-clockwise as seen from outside.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Mesh {
+    /// In mm, each one once.
     pub corners: Vec<Point>,
     /// Triangles, as numbers of corners.
     pub triangles: Vec<[usize; 3]>,

@@ -65,6 +65,7 @@ const COLLAR_BEHIND_MM: f64 = 0.2;
 /// What a plug is made of.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Material {
+    /// As a shop orders it.
     pub name: &'static str,
     /// What it yields or breaks at, MPa: its stress in the proof test is at most a half of it (a
     /// choice, for notches and creep).
@@ -93,7 +94,9 @@ const MATERIAL_FACTOR: f64 = 2.0;
 pub struct Bolt {
     /// 6 is M6.
     pub mm: f64,
+    /// Property class, such as 8.8.
     pub class: &'static str,
+    /// Yield strength of the class in MPa.
     pub yields_mpa: f64,
     /// What holds it in the proof test.
     pub bar: Bar,
@@ -102,10 +105,13 @@ pub struct Bolt {
 /// A stress at a load, beside what it may be.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stress {
+    /// The loaded part and how it is loaded.
     pub what: &'static str,
+    /// At the load of the proof test.
     pub mpa: f64,
     /// What the part yields at, and how far the stress stays below it.
     pub yields_mpa: f64,
+    /// Yield strength over stress.
     pub factor: f64,
 }
 
@@ -127,11 +133,13 @@ impl Stress {
 /// The thread of a fitting in a flat of the head.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Port {
+    /// What is screwed into it.
     pub fitting: Fitting,
     /// Height of its axis above the inner end of the stem, in mm.
     pub height_mm: f64,
     /// Hole for the tap, and how deep it is from the flat, in mm.
     pub hole_mm: f64,
+    /// Depth of that hole from the flat, in mm.
     pub depth_mm: f64,
     /// Length of the thread in mm.
     pub thread_mm: f64,
@@ -142,7 +150,9 @@ pub struct Port {
 /// A plug.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plug {
+    /// The part inside of the tube.
     pub stem: Stem,
+    /// Of stem and head.
     pub material: Material,
     /// Side of the square head in mm.
     pub side_mm: f64,
@@ -150,11 +160,15 @@ pub struct Plug {
     pub collar_mm: Option<f64>,
     /// Height of the head in mm, and of its end.
     pub foot_mm: f64,
+    /// Over all, in mm.
     pub length_mm: f64,
     /// The bolt, its hole, and the height of its axis above the inner end, in mm.
     pub bolt: Bolt,
+    /// Diameter of the hole for the bolt in mm.
     pub hole_mm: f64,
+    /// Height of the axis of that hole above the inner end, in mm.
     pub eye_mm: f64,
+    /// Of the plug with the passage alone.
     pub port: Option<Port>,
 }
 
@@ -294,6 +308,7 @@ impl Plug {
         if self.is_printed() { 0.15 } else { 0.05 }
     }
 
+    /// Whether it is printed, else turned and milled.
     pub fn is_printed(&self) -> bool {
         self.material == PETG
     }
@@ -328,6 +343,7 @@ impl Plug {
         length_mm.unwrap_or((least_mm / 20.0).ceil() * 20.0)
     }
 
+    /// Density times volume.
     pub fn mass_g(&self) -> f64 {
         self.material.density * self.volume_mm3()
     }
@@ -457,6 +473,7 @@ impl Plug {
         faces
     }
 
+    /// Its surface as triangles, for STL.
     pub fn mesh(&self) -> Mesh {
         Mesh::of(&self.body())
     }

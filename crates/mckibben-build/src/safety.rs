@@ -15,6 +15,7 @@ use mckibben_core::{
 /// Results of a model for the muscle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Operating {
+    /// Name of the model.
     pub model: String,
     /// Working pressure in MPa.
     pub pressure_mpa: f64,
@@ -24,6 +25,7 @@ pub struct Operating {
     pub blocked_force_n: f64,
     /// The branch of its job.
     pub branch: Direction,
+    /// Contraction without a load at the working pressure.
     pub free_contraction: f64,
     /// Largest outer diameter in mm of the muscle that contracts freely.
     pub bulged_diameter_mm: f64,
@@ -51,7 +53,9 @@ pub struct Operating {
 /// A pull of the muscle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PullAt {
+    /// Gauge pressure.
     pub pressure_mpa: f64,
+    /// Share of the rest length.
     pub contraction: f64,
     /// What is required of it in N, where it was designed for this.
     pub required_n: Option<f64>,

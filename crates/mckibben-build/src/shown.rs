@@ -6,8 +6,11 @@ use mckibben_core::units::{Dimension, Unit};
 /// The units of all files of a build.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shown {
+    /// Of all pressures.
     pub pressure: Unit,
+    /// Of all forces.
     pub force: Unit,
+    /// Of all lengths.
     pub length: Unit,
 }
 

@@ -65,19 +65,24 @@ pub struct PointRow {
     pub warning_rubber_stretch: Option<bool>,
     /// Whether size or pressure lie outside of the measured muscles.
     pub warning_not_measured: Option<bool>,
+    /// How the point ended, in one word.
     pub status: Status,
     /// Why there is no answer; empty where there is one.
     pub cause: String,
+    /// Newton iterations of this point.
     pub iterations: u32,
 }
 
 /// The role of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
+    /// A measure of the muscle, or the state that is asked.
     Question,
+    /// What the model computes.
     Answer,
     /// What to mind about the answer.
     Warning,
+    /// How the answer came about.
     Note,
 }
 
@@ -86,12 +91,15 @@ pub enum Role {
 pub enum Slot<'a> {
     /// A large whole number.
     Whole(&'a mut u64),
+    /// A whole number.
     Count(&'a mut u32),
+    /// A number; NaN where there is none.
     Number(&'a mut f64),
     /// A number or nothing.
     Optional(&'a mut Option<f64>),
     /// Yes, no, or not known.
     Flag(&'a mut Option<bool>),
+    /// A word or a sentence.
     Text(&'a mut String),
     /// How the point ended.
     Status(&'a mut Status),
@@ -108,7 +116,9 @@ pub enum Slot<'a> {
 pub struct Column {
     /// Its name, with the unit; an example of it where it stands for a group.
     pub name: &'static str,
+    /// Question, answer, warning or note.
     pub role: Role,
+    /// Its field of a row.
     pub slot: fn(&mut PointRow) -> Slot<'_>,
 }
 

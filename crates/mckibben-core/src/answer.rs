@@ -17,6 +17,7 @@ use std::f64::consts::PI;
 /// One answered point.
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
+#[non_exhaustive]
 pub struct Answer {
     /// The model's name.
     pub model: String,

@@ -35,7 +35,6 @@
 //! and a formula of one's own, and constants from a bench (`crates/mckibben-campaign/examples`).
 
 // The physics is documented on its public types.
-#![warn(missing_docs)]
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
 pub mod analysis;

@@ -44,6 +44,7 @@ pub struct CandidatePoint {
 /// A muscle that fits, or so many side by side.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Candidate {
+    /// One of those side by side.
     #[serde(skip)]
     pub muscle: Muscle,
     /// So many of it side by side.
@@ -226,6 +227,7 @@ fn point_of(
 /// A muscle that does not fit, and why.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Rejected {
+    /// One of those side by side.
     #[serde(skip)]
     pub muscle: Muscle,
     /// So many of it side by side.

@@ -39,7 +39,9 @@ pub struct Outcome {
 /// A muscle that one may choose.
 #[derive(Debug, Clone)]
 pub struct Choice {
+    /// Why it is among the choices.
     pub kind: ChoiceKind,
+    /// The muscle with its numbers.
     pub candidate: Candidate,
 }
 

@@ -146,6 +146,7 @@ pub struct Check {
     pub bound: f64,
     /// Contraction and pressure of it.
     pub contraction: f64,
+    /// Pressure in MPa at which the limit counts.
     pub pressure_mpa: f64,
     /// What keeps the pressure of a pull below that of the supply.
     pub by: Option<Allowed>,

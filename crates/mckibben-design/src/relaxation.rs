@@ -44,15 +44,30 @@ pub enum Relaxation {
         certainty: f64,
     },
     /// Allow this diameter when bulged.
-    MaxBulgedDiameter { bulged_diameter_mm: f64 },
+    MaxBulgedDiameter {
+        /// Largest diameter in mm.
+        bulged_diameter_mm: f64,
+    },
     /// Allow this circle around all muscles with their ends.
-    MaxEnvelope { envelope_mm: f64 },
+    MaxEnvelope {
+        /// Diameter of the circle in mm.
+        envelope_mm: f64,
+    },
     /// Place the axes of neighbours so far apart.
-    Pitch { pitch_mm: f64 },
+    Pitch {
+        /// Distance of the axes in mm.
+        pitch_mm: f64,
+    },
     /// Allow this mass.
-    MaxMass { mass_g: f64 },
+    MaxMass {
+        /// Mass in g.
+        mass_g: f64,
+    },
     /// Allow this stretch of the rubber.
-    MaxStretch { max_stretch: f64 },
+    MaxStretch {
+        /// Largest principal stretch.
+        max_stretch: f64,
+    },
     /// Allow this strain of the strands.
     MaxStrandStrain {
         /// Largest strain at the maximum pressure.

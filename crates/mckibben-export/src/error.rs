@@ -5,6 +5,7 @@ use mckibben_core::{
 };
 use thiserror::Error;
 
+/// What an export gives, or why it gives nothing.
 pub type Result<T, E = ExportError> = std::result::Result<T, E>;
 
 /// Why a muscle cannot be exported.

@@ -35,7 +35,6 @@
 //! Units: mm, MPa (= N/mm²), N.
 
 // The physics is documented on its public types.
-#![warn(missing_docs)]
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 // Components, nodes, rows and columns are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]

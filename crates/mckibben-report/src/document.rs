@@ -10,6 +10,7 @@ use std::fmt::Write as _;
 /// A report.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Document {
+    /// At the top of the first page.
     pub title: String,
     /// Its title block: names and texts of fields; an empty one is filled in by hand.
     pub title_block: Vec<(String, String)>,
@@ -24,6 +25,7 @@ pub struct Document {
 /// A part of a report.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Part {
+    /// Of a section.
     Heading(String),
     /// A paragraph.
     Text(String),
@@ -33,12 +35,16 @@ pub enum Part {
     Stop(Vec<String>),
     /// Work in its order, each step with a box to tick.
     Steps(Vec<String>),
+    /// Cells in rows.
     Table {
         /// Its head, where it has one.
         head: Vec<String>,
+        /// Each as long as the head.
         rows: Vec<Vec<String>>,
     },
+    /// Curves in a frame with axes.
     Figure(Box<Figure>),
+    /// A drawing to scale.
     Drawing(DrawingSheet),
     /// What follows begins on a new page.
     Break,
@@ -87,10 +93,12 @@ impl Document {
 }
 
 impl Part {
+    /// The heading of a section.
     pub fn heading(text: &str) -> Self {
         Self::Heading(text.to_owned())
     }
 
+    /// A table with a head.
     pub fn table(head: &[&str], rows: Vec<Vec<String>>) -> Self {
         let head = head.iter().map(ToString::to_string).collect();
         Self::Table { head, rows }

@@ -157,6 +157,7 @@ impl Figure {
         self
     }
 
+    /// Adds a panel behind the others.
     pub fn panel(mut self, panel: Panel) -> Self {
         self.panels.push(panel);
         self
@@ -234,6 +235,7 @@ impl Panel {
         self
     }
 
+    /// Adds a curve.
     pub fn series(mut self, series: Series) -> Self {
         self.series.push(series);
         self

@@ -89,6 +89,7 @@ impl DrawingSheet {
         self.push(Item::Path(vec![polygon], Paint::fill([grey; 3])));
     }
 
+    /// A circle with this line.
     pub fn circle(&mut self, pen: Pen, centre: [f64; 2], radius_mm: f64) {
         let centre = self.place(centre);
         self.push(Item::circle(centre, radius_mm * PER_MM, pen.paint()));

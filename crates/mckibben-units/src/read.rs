@@ -11,10 +11,16 @@ use std::{
 pub enum ReadError {
     /// A directory, a device, a pipe.
     #[error("is {what}; it must be a regular file")]
-    NotAFile { what: &'static str },
+    NotAFile {
+        /// A folder, a pipe, a device.
+        what: &'static str,
+    },
     /// Longer than a file of its kind may be.
     #[error("is longer than {limit} bytes, too long for such a file")]
-    TooLarge { limit: u64 },
+    TooLarge {
+        /// In bytes.
+        limit: u64,
+    },
     /// It is not there, may not be read, or the system fails.
     #[error("cannot be read: {0}")]
     System(#[from] Error),

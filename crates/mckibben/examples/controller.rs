@@ -8,7 +8,7 @@ use mckibben::{
 };
 use std::{error::Error, time::Instant};
 
-pub fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let model = Model::UNIVERSAL.of(&Muscle::prototype())?.shared();
     let load = SingleMuscle {
         stops_mm: (0.0, 80.0),

@@ -5,7 +5,7 @@
 use mckibben::prelude::*;
 use std::error::Error;
 
-pub fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let mut model = Model::FE.of(&Muscle::prototype())?;
     let points: Vec<(f64, f64)> = (0..=10).map(|i| (0.25, 0.025 * f64::from(i))).collect();
     let pulls = model

@@ -5,7 +5,7 @@
 use mckibben::{design::Spec, prelude::*};
 use std::error::Error;
 
-pub fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let spec = Spec::pull(300.0, 0.12, 0.4).length_mm(200.0).of_parts()?;
     let found = mckibben::decide(&spec)?;
     let best = found.candidates.first().ok_or("nothing fits")?;

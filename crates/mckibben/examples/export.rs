@@ -8,7 +8,7 @@ use mckibben::{
 };
 use std::error::Error;
 
-pub fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let model = Model::FE.of(&Muscle::prototype())?.shared();
     let wanted = BoxRequest {
         supply_mpa: 0.3,

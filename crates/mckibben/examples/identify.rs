@@ -20,7 +20,7 @@ const BENCH: [(f64, f64, f64); 6] = [
     (0.3, 0.15, 244.0),
 ];
 
-pub fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let muscle: Muscle = MUSCLE.parse()?;
     let points = BENCH.map(|(pressure_mpa, contraction, force_n)| {
         DataPoint::new(MeasuredPoint {

@@ -5,7 +5,7 @@
 use mckibben::prelude::*;
 use std::error::Error;
 
-pub fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let muscle = Model::FE.of(&Muscle::prototype())?;
     let mut elbow = JointModel::antagonists(&muscle, 25.0, 0.10, (-60.0, 60.0))?;
     let at = elbow.at(&[0.25, 0.10], 15.0)?;

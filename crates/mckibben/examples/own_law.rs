@@ -54,7 +54,7 @@ fn muscle_of(b_mpa: f64) -> Result<Muscle, Box<dyn Error>> {
     Ok(Muscle::prototype().with_rubber(Rubber::new(law))?)
 }
 
-pub fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     for name in ["fe", "thick-wall"] {
         let model: Model = name.parse()?;
         let stiff = model.of(&muscle_of(0.01)?)?.force_n(0.25, 0.10)?;

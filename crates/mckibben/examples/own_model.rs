@@ -38,7 +38,7 @@ impl ForceModel for Straight {
     }
 }
 
-pub fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let straight = Straight {
         info: ModelInfo::new(&ENTRY, &Muscle::prototype()),
         pull_per_mpa: 6000.0,

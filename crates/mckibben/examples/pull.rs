@@ -17,7 +17,7 @@ rubber = "dragon-skin-30"
 angle = "25 deg"
 "#;
 
-pub fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let muscle: Muscle = HOSE.parse()?;
     let mut model = Model::FE.of(&muscle)?;
 

@@ -35,7 +35,6 @@
 //! `docs/rust-api.txt`. The crates below (`mckibben-core`, `mckibben-fem`, `mckibben-campaign`, …)
 //! are the parts that the program is made of, and have no such line.
 
-#![warn(missing_docs)]
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 
 mod any_model;

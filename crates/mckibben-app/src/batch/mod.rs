@@ -50,6 +50,7 @@ pub enum PointQuantity {
 /// How many points are answered.
 #[derive(Debug, Default)]
 pub struct Many {
+    /// What is asked of each pair.
     pub wanted: PointQuantity,
     /// Also the derivatives by both numbers of a pair.
     pub slopes: bool,
@@ -74,6 +75,7 @@ impl Many {
 pub struct ArrayError {
     /// The point's place in the list, from 0; none where the list itself is at fault.
     pub index: Option<usize>,
+    /// Why it has no answer.
     pub problem: Problem,
 }
 
@@ -92,8 +94,11 @@ const BLOCK: usize = 1024;
 const BLOCK_OF_ELEMENTS: usize = 32;
 /// A model bound to its muscle.
 pub struct BoundModel {
+    /// What computes the pulls.
     pub model: Box<dyn ForceModel>,
+    /// Friction and branch that answers take.
     pub options: Options,
+    /// The model by its name.
     pub choice: Model,
     quiet: OnceLock<Quiet>,
 }
@@ -113,6 +118,7 @@ impl BoundModel {
         })
     }
 
+    /// The muscle of the model.
     pub fn muscle(&self) -> &Muscle {
         self.model.muscle()
     }

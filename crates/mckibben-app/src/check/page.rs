@@ -93,6 +93,7 @@ impl Characteristics {
         }
     }
 
+    /// The lines of measures, limits and costs.
     pub fn rows(&self, u: &Units) -> Rows {
         let limits = self.limits.rows(u);
         let unknown = limits.is_empty().then_some("not stated");

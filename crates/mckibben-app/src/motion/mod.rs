@@ -31,6 +31,7 @@ use std::path::Path;
 const MOST_RUNS: usize = 100;
 
 impl MotionRequest {
+    /// The files that a drive file names.
     pub fn names_of(drive: &TextFile) -> Result<Names> {
         drive.parsed(drive_names)
     }
@@ -117,6 +118,7 @@ impl MotionRequest {
     }
 }
 
+/// The command `motion`: what a muscle or joint does over time.
 pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<MotionAnswer> {
     request.validate()?;
     let moved = request.moved()?;

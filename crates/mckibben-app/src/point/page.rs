@@ -65,6 +65,7 @@ impl PointQuantity {
 }
 
 impl PointAnswer {
+    /// The lines of the answer: the built muscle first.
     pub fn rows(&self, u: &Units) -> Rows {
         let a = &self.point;
         let background = &self.background;

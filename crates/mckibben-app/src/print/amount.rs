@@ -8,7 +8,9 @@ use crate::{
 /// A number, or what stands in its place.
 #[derive(Debug)]
 pub enum Amount {
+    /// An empty cell.
     Nothing,
+    /// In the unit inside.
     Number(f64),
     /// A number with its ±, where that is known.
     Within(f64, Option<f64>),
@@ -96,6 +98,7 @@ impl Amount {
         })
     }
 
+    /// The number without its ±, where there is one.
     pub fn number(&self) -> Option<f64> {
         match self {
             Self::Number(number) | Self::Within(number, _) => Some(*number),

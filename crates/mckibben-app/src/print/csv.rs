@@ -11,8 +11,11 @@ use serde_json::{Error, Value, to_value};
 #[must_use]
 #[derive(Debug)]
 pub struct Csv {
+    /// An object for each row.
     pub rows: Result<Vec<Value>, Error>,
+    /// The JSON Schema of a row: its keys are the columns.
     pub schema: fn() -> Value,
+    /// Columns by key or by position in a list.
     pub form: CsvLayout,
     /// Warnings that the page has among its lines.
     pub warnings: Vec<Warning>,
@@ -21,6 +24,7 @@ pub struct Csv {
 /// How the lines follow from the rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CsvLayout {
+    /// One line for each row.
     Rows,
     /// The values of objects in a row are columns as well.
     Flat,

@@ -7,21 +7,26 @@ use super::{Column, Rows, Table};
 pub enum Block {
     /// One line or several.
     Text(String),
+    /// Labels with their values.
     Rows(Rows),
+    /// Columns of equal length.
     Table(Vec<Column>),
 }
 
 /// What people read of an answer, from top to bottom.
 #[derive(Debug, Default)]
 pub struct Page {
+    /// From top to bottom.
     pub blocks: Vec<Block>,
 }
 
 impl Page {
+    /// Adds a line of text.
     pub fn line(&mut self, text: impl Into<String>) {
         self.blocks.push(Block::Text(text.into()));
     }
 
+    /// Adds lines of text.
     pub fn lines(&mut self, list: impl IntoIterator<Item = String>) {
         list.into_iter().for_each(|text| self.line(text));
     }
@@ -39,6 +44,7 @@ impl Page {
         }
     }
 
+    /// Adds labels with their values; nothing where there are none.
     pub fn rows(&mut self, rows: Rows) {
         if !rows.is_empty() {
             self.blocks.push(Block::Rows(rows));
@@ -60,6 +66,7 @@ impl Page {
         }
     }
 
+    /// Adds another page below.
     pub fn and(&mut self, other: Self) {
         self.blocks.extend(other.blocks);
     }

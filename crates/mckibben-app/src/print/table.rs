@@ -6,7 +6,9 @@ use crate::{Scale, units::NUMBER, words::aligned};
 /// A heading and the cells below it.
 #[derive(Debug)]
 pub struct Column {
+    /// Quantity and unit.
     pub heading: String,
+    /// From the first row to the last.
     pub cells: Vec<String>,
 }
 
@@ -56,10 +58,12 @@ const UNLIKE: f64 = 100.0;
 #[derive(Debug)]
 pub struct Table<'a, T> {
     list: &'a [T],
+    /// From left to right.
     pub columns: Vec<Column>,
 }
 
 impl<'a, T> Table<'a, T> {
+    /// A table of a list, without columns yet.
     pub fn of(list: &'a [T]) -> Self {
         Self {
             list,

@@ -44,7 +44,9 @@ use serde::{Deserialize, Serialize};
 /// One point of the test: the request and the solution.
 #[derive(Debug)]
 pub struct Simulated {
+    /// Pressure and contraction or load.
     pub requested: RequestedPoint,
+    /// Its equilibrium, or why there is none.
     pub solution: Result<Solution, FemError>,
     /// Whether the muscle would have to push, and lies slack instead.
     pub slack: bool,
@@ -52,6 +54,7 @@ pub struct Simulated {
     pub free_contraction: Option<f64>,
     /// What a built muscle pulls there.
     pub built: Option<Built>,
+    /// How the point ended, in one word.
     pub status: Status,
 }
 

@@ -18,6 +18,7 @@ use serde::Serialize;
 pub const DIAMETERS: [f64; 4] = [30.0, 40.0, 45.0, 50.0];
 /// Its walls in mm.
 pub const WALLS: [f64; 5] = [1.0, 2.0, 3.0, 4.0, 5.0];
+/// Its contractions.
 pub const CONTRACTIONS: [f64; 5] = [0.0, 0.05, 0.10, 0.15, 0.20];
 /// The pressures of its isobaric curves in MPa.
 pub const PRESSURES: [f64; 5] = [0.05, 0.10, 0.15, 0.20, 0.25];

@@ -32,6 +32,7 @@ pub struct ForceScales {
 /// D0 and s as keys.
 pub type Section = (i64, i64);
 
+/// The cross-section of a point.
 pub fn section(p: &FitPoint) -> Section {
     (bits(p.outer_diameter_mm), bits(p.wall_mm))
 }

@@ -20,6 +20,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeSet;
 
+/// How a formula of one make is found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
     /// The paper's seven steps.
@@ -56,11 +57,14 @@ impl Method {
     }
 }
 
+/// Points and method of a formula of one make.
 #[derive(Debug, Clone)]
 pub struct FormulaRequest<'a> {
+    /// Also those that are held out.
     pub points: Vec<FitPoint>,
     /// The make of their muscles; length and angle are those of the points.
     pub made_for: Made,
+    /// How the terms are chosen.
     pub method: Method,
     /// Powers of x, p, e, d of the terms that the global method fits in place of those that it
     /// chooses.
@@ -75,8 +79,10 @@ pub struct FormulaRequest<'a> {
     pub from: Provenance,
 }
 
+/// A formula with the points that it was fitted to.
 #[derive(Debug, Clone)]
 pub struct FittedFormula {
+    /// With its range, which is that of the points.
     pub formula: Formula,
     /// The tables of the paper's method.
     pub paper: Option<PaperMethod>,
@@ -152,6 +158,11 @@ fn shared(points: &[FitPoint], share: f64) -> BTreeSet<Section> {
     sections
 }
 
+/// Fits a formula of one make.
+///
+/// # Errors
+/// [`FitError`] where points are too few, of several makes or no multiples of each other as the
+/// paper's method needs them.
 pub fn make(request: FormulaRequest<'_>) -> Result<FittedFormula> {
     let mut points = request.points;
     if points.is_empty() {
@@ -430,6 +441,7 @@ impl Fittable {
         self.varied[2] |= !rubber_of(row).is_like(&rubber_of(first), TOLERANCE);
     }
 
+    /// What can be fitted to the rows, and why nothing else.
     pub fn fits(&self) -> Fits {
         let method = if self.several { "universal" } else { "global" };
         let one = VARIED.iter().zip(self.varied).find(|(_, varied)| !varied);

@@ -218,6 +218,7 @@ pub struct PolynomialFit<const N: usize> {
 }
 
 impl<const N: usize> PolynomialFit<N> {
+    /// Its value by Horner's rule.
     pub fn at(&self, x: f64) -> f64 {
         self.coefficients.iter().fold(0.0, |sum, c| sum * x + c)
     }

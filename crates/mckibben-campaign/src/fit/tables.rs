@@ -17,6 +17,7 @@ pub struct Table {
 }
 
 impl Table {
+    /// The table as text, with its header.
     pub fn to_csv(&self) -> String {
         let cell = |v: &Value| match v {
             Value::Null => String::new(),

@@ -49,6 +49,7 @@ pub struct MuscleState {
 /// A joint at pressures and an angle.
 #[serde_with_macros::skip_serializing_none]
 #[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
+#[non_exhaustive]
 pub struct JointPoint {
     /// φ from the neutral angle in degrees.
     pub angle_deg: f64,

@@ -22,6 +22,7 @@ pub struct Unknown {
 }
 
 impl Unknown {
+    /// Without bounds.
     pub fn free(start: f64, scale: f64) -> Self {
         Self {
             start,
@@ -31,6 +32,7 @@ impl Unknown {
         }
     }
 
+    /// With a lower bound alone.
     pub fn above(start: f64, low: f64, scale: f64) -> Self {
         Self {
             start,

@@ -10,10 +10,12 @@ pub struct Errors {
     pub rms: f64,
     /// The largest, without its sign.
     pub largest: f64,
+    /// 0 of none.
     pub mean: f64,
 }
 
 impl Errors {
+    /// Statistics of differences.
     pub fn new(differences: impl IntoIterator<Item = f64>) -> Self {
         let mut points = 0;
         let mut squares = 0.0;

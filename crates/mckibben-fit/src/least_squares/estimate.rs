@@ -35,6 +35,7 @@ impl<F: Fn(&[f64]) -> Option<Vec<f64>>> Residuals for F {
 /// A minimum with its statistics.
 #[derive(Debug, PartialEq)]
 pub struct Estimate {
+    /// The unknowns at the minimum.
     pub x: Vec<f64>,
     /// Standard errors; infinite where the data do not determine the unknown at all, 0 on a bound.
     pub standard_errors: Vec<f64>,
@@ -69,6 +70,7 @@ pub enum EstimateError {
     TooFew {
         /// Points with a weight.
         points: usize,
+        /// Those that vary.
         unknowns: usize,
     },
     /// No answer of the model at the start.

@@ -4,7 +4,9 @@ use super::Errors;
 
 /// y = mean_y + slope (x − mean_x).
 pub struct Line {
+    /// Mean of all x.
     pub mean_x: f64,
+    /// Mean of all y.
     pub mean_y: f64,
     /// Not a number where all x are the same.
     pub slope: f64,
@@ -28,6 +30,7 @@ impl Line {
         }
     }
 
+    /// y on the line.
     pub fn at(&self, x: f64) -> f64 {
         self.mean_y + self.slope * (x - self.mean_x)
     }

@@ -150,6 +150,7 @@ pub struct ForceErrors {
 }
 
 impl ForceErrors {
+    /// Statistics of residuals, in N and in shares of the blocked force.
     pub fn new<'a>(list: impl Iterator<Item = &'a Residual>) -> Self {
         let list: Vec<&Residual> = list.collect();
         let errors = Errors::new(list.iter().map(|r| r.difference_n));

@@ -204,6 +204,7 @@ pub enum TensionFitError {
     TooFew {
         /// Points that count.
         points: usize,
+        /// Its name.
         law: String,
         /// Points that it takes.
         fewest: usize,
@@ -230,6 +231,7 @@ pub(crate) fn no_fit(form: Form, why: impl std::fmt::Display) -> TensionFitError
 pub struct FitSettings {
     /// The laws; none means all that the number of points determines.
     pub forms: Vec<Form>,
+    /// What is minimised: absolute or relative differences.
     pub measure: Measure,
     /// Give every mode the same weight, whatever its number of points. Else every point counts
     /// alike.

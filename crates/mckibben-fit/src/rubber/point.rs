@@ -46,6 +46,7 @@ pub enum Mode {
 }
 
 impl Mode {
+    /// Every mode.
     pub const ALL: [Mode; 4] = [
         Mode::Uniaxial,
         Mode::Planar,
@@ -54,6 +55,7 @@ impl Mode {
     ];
     /// Those with one independent stretch.
     pub const OF_ONE_STRETCH: [Mode; 3] = [Mode::Uniaxial, Mode::Planar, Mode::Equibiaxial];
+    /// The names for messages.
     pub const WORDS: &'static str =
         "uniaxial, planar (or pure shear), equibiaxial (or biaxial), general";
     /// The spellings of each, its name first.
@@ -85,6 +87,7 @@ impl Mode {
         &["general", "generalbiaxial", "generalbiaxialtension", "bt"],
     ];
 
+    /// As tables write it.
     pub fn name(self) -> &'static str {
         Self::SPELLINGS[self as usize][0]
     }

@@ -25,6 +25,7 @@ pub struct TensionFit {
     /// Place of the law to take: of those that are stable in a muscle the one with the lowest AICc;
     /// with uniaxial tests alone, one of I1.
     pub recommended: Option<usize>,
+    /// What to heed before one takes a law.
     pub warnings: Vec<String>,
 }
 

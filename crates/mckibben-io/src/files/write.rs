@@ -227,6 +227,7 @@ impl Unfinished {
         all
     }
 
+    /// The temporary file, which `finish` renames.
     pub fn file(&mut self) -> &mut File {
         self.temporary.as_file_mut()
     }

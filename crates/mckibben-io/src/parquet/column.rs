@@ -8,9 +8,11 @@ pub type Text = ByteArray;
 /// What a column is called, and what it holds.
 #[derive(Debug, Clone)]
 pub struct Field {
+    /// As readers of the file see it.
     pub name: String,
     /// An empty column of its kind.
     pub kind: Column,
+    /// How its values are compressed.
     pub packing: Packing,
 }
 
@@ -31,8 +33,11 @@ pub enum Column {
     Int64(Vec<i64>),
     /// Whole numbers of 32 bits.
     Int32(Vec<i32>),
+    /// Numbers of 64 bits.
     Double(Vec<f64>),
+    /// Numbers, or nothing.
     Optional(Vec<Option<f64>>),
+    /// Texts in UTF-8.
     Text(Vec<Text>),
     /// Yes, no, or not known.
     Flag(Vec<Option<bool>>),

@@ -22,6 +22,7 @@ pub const GROUP: usize = 1 << 16;
 /// How columns are compressed; in Rust alone, so that no compiler of C is needed.
 const CODEC: Compression = Compression::LZ4_RAW;
 
+/// Writes a file of Parquet by groups of rows.
 pub struct Writer<'a> {
     out: SerializedFileWriter<&'a mut (dyn Write + Send)>,
 }
@@ -78,6 +79,10 @@ impl<'a> Writer<'a> {
         Ok(())
     }
 
+    /// Writes the end of the file.
+    ///
+    /// # Errors
+    /// [`TableError`] where the file cannot be written.
     pub fn finish(self) -> std::result::Result<(), TableError> {
         self.out.into_inner()?.flush().map_err(TableError::Io)
     }

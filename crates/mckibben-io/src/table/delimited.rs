@@ -86,6 +86,7 @@ pub struct Sheet {
     /// The comments before the first of them, without their mark: some programs write the heading
     /// as one.
     pub comments: Vec<TableRow>,
+    /// What stands between cells.
     pub separator: Separator,
 }
 

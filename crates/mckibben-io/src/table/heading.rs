@@ -10,6 +10,7 @@ use mckibben_units::{Dimension, Unit, joined};
 /// A column with its meaning.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
+    /// Its quantity.
     pub meaning: Meaning,
     /// Its place in a row, from 0.
     pub index: usize,

@@ -16,6 +16,7 @@ use std::{
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Meaning {
+    /// Gauge pressure P.
     Pressure,
     /// ε.
     Contraction,
@@ -25,7 +26,9 @@ pub enum Meaning {
     Length,
     /// L0.
     RestLength,
+    /// Pull F.
     Force,
+    /// Torque of a joint.
     Torque,
     /// Volume of the cavity.
     Volume,
@@ -47,12 +50,15 @@ pub enum Meaning {
     Weight,
     /// D0.
     OuterDiameter,
+    /// Wall thickness s.
     Wall,
     /// Braid angle θ0.
     Angle,
+    /// From the begin of a record.
     Time,
     /// Opening of a valve.
     Opening,
+    /// Angle of a joint.
     JointAngle,
     /// Kind of rubber test.
     Mode,
@@ -73,10 +79,12 @@ pub enum Meaning {
     Area,
     /// Force over the area at rest.
     NominalStress,
+    /// The same across the first, of a sheet.
     #[serde(rename = "nominal_stress_2")]
     NominalStress2,
     /// Force over the present area.
     TrueStress,
+    /// The same across the first, of a sheet.
     #[serde(rename = "true_stress_2")]
     TrueStress2,
     /// σ1 − σ2.

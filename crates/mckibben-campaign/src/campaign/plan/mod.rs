@@ -49,11 +49,13 @@ pub struct Testing {
     pub of_ideal: bool,
     /// Pressures in MPa.
     pub pressures_mpa: Vec<f64>,
+    /// The mesh of plans by finite elements.
     pub elements: Elements,
     /// Whether rows carry ∂F/∂(constants and measures).
     pub sensitivities: bool,
 }
 
+/// A campaign as its file states it: base muscle, axes, sampling and test.
 #[derive(Debug, Clone)]
 pub struct Plan {
     /// Its text, as it was written.
@@ -74,10 +76,12 @@ impl Plan {
         mckibben_core::hash::hex(&self.text)
     }
 
+    /// How its muscles are chosen.
     pub fn sampling(&self) -> &Sampling {
         &self.design.sampling
     }
 
+    /// The number of its muscles.
     pub fn muscles(&self) -> u64 {
         self.design.muscles
     }

@@ -29,6 +29,7 @@ mckibben_core::units::display_as_serde_word!(SamplingMethod);
 /// A way of sampling.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Sampling {
+    /// Factorial, or a sequence of random points.
     pub method: SamplingMethod,
     /// Muscles; not of a factorial plan.
     pub samples: u64,

@@ -101,10 +101,12 @@ impl Provenance {
         Err(CampaignError::OtherPlan(other))
     }
 
+    /// The number of parts of the store: blocks of muscles.
     pub fn parts(&self) -> u64 {
         self.muscles.div_ceil(self.block.max(1))
     }
 
+    /// The number of rows of all muscles.
     pub fn points(&self) -> u64 {
         self.rows_of(None)
     }

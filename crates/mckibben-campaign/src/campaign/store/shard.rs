@@ -22,6 +22,7 @@ impl Shard {
         block % self.count == self.index - 1
     }
 
+    /// Into how many shards the campaign is split.
     pub fn count(self) -> u64 {
         self.count
     }

@@ -58,8 +58,10 @@ fn fold_of(muscle: u64) -> usize {
     (muscle % FOLDS as u64) as usize
 }
 
+/// Samples of many makes for one formula.
 #[derive(Debug, Clone)]
 pub struct UniversalRequest<'a> {
+    /// Each muscle with its points.
     pub samples: &'a [Sample],
     /// Name of the formula.
     pub name: String,

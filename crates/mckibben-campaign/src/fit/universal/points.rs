@@ -33,7 +33,9 @@ pub struct PullPoint {
 pub struct Sample {
     /// Its number in the plan.
     pub number: u64,
+    /// As the plan makes it.
     pub muscle: Muscle,
+    /// Those with an answer.
     pub points: Vec<PullPoint>,
     /// Highest pressure in MPa and largest contraction with an answer, whether it pulls or not.
     pub reached: (f64, f64),
