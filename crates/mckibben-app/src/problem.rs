@@ -298,7 +298,7 @@ pub type Result<T, E = Problem> = std::result::Result<T, E>;
 /// around it (`around`), and what is of another kind.
 macro_rules! problems {
     ($($error:ident: $kind:ident $($hint:literal)? $(in $field:literal)? $(of $($inner:ident)+)? $(, around $held:ident in ($outer:pat))* $({
-        $($variant:pat => $other:ident $($advice:literal)? $(in $blamed:literal)?;)+
+        $($variant:pat => $other:ident $($advice:literal)? $(in $blamed:expr)?;)+
     })?;)+) => {$(
         impl From<$error> for Problem {
             #[allow(unreachable_patterns, clippy::match_single_binding, reason = "some errors are all of one kind")]
@@ -307,7 +307,7 @@ macro_rules! problems {
                 let (kind, hint, field) = match error {
                     $($($error::$inner(inner) => return inner.into(),)+)?
                     $($outer => return Self { message: short_numbers(&message).into_owned(), ..$held.into() },)*
-                    $($($variant => (ProblemKind::$other, concat!("", $($advice)?), concat!("", $($blamed)?)),)+)?
+                    $($($variant => (ProblemKind::$other, concat!("", $($advice)?), [$($blamed,)? ""][0]),)+)?
                     _ => (ProblemKind::$kind, concat!("", $($hint)?), concat!("", $($field)?)),
                 };
                 Self { field: (!field.is_empty()).then(|| field.to_owned()), ..Self::new(kind, message, hint) }
@@ -328,6 +328,7 @@ problems! {
     StudyError: NoAnswer of Model Analysis Muscle;
     FitError: Fit of Cancelled;
     SpecError: Specification of Cancelled {
+        SpecError::Refused(field, _) => Specification in field;
         SpecError::NoLiquid { .. } => Usage in "max_liquid_volume_mm3";
         SpecError::OutOfReach { .. } => NoAnswer "take a longer muscle (`length_mm`), or a shorter \
             stroke";

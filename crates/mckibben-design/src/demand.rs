@@ -104,19 +104,22 @@ impl JointDemand {
             let (torque_nm, angle_deg) = (t.torque_nm, t.angle_deg);
             let is_sound = torque_nm > 0.0 && torque_nm.is_finite();
             if !(is_sound && angle_deg.abs() <= largest_deg) {
-                return refused(format!(
-                    "{torque_nm} N m at {angle_deg}° is invalid: the torque must be above zero \
+                return refused(
+                    "torques",
+                    format!(
+                        "{torque_nm} N m at {angle_deg}° is invalid: the torque must be above zero \
                      and the angle within ±{largest_deg}°"
-                ));
+                    ),
+                );
             }
         }
         let bounds = [
-            ("the largest angle of the joint", largest_deg),
-            ("the radius of the pulley", self.radii_mm.bounds().1),
+            ("largest_angle_deg", largest_deg),
+            ("radius_mm", self.radii_mm.bounds().1),
         ];
         for (name, value) in bounds {
             if !(value.is_finite() && value > 0.0) {
-                return refused(format!("{name} is {value}; it must be above zero"));
+                return refused(name, format!("`{name}` is {value}; it must be above zero"));
             }
         }
         Ok(())
@@ -244,16 +247,20 @@ impl Demand {
         if let Some((load, end)) = self.lift(length_mm) {
             let (low, high) = load.reach_mm();
             if !(low <= 0.0 && end <= high) {
-                return refused(format!(
-                    "the load is known for shortenings from {low}\u{a0}mm to {high}\u{a0}mm, \
+                return refused(
+                    "stroke_mm",
+                    format!(
+                        "the load is known for shortenings from {low}\u{a0}mm to {high}\u{a0}mm, \
                      and the stroke goes from 0\u{a0}mm to {end}\u{a0}mm"
-                ));
+                    ),
+                );
             }
         }
         let widest_mm = self.joint().map_or(0.0, |joint| joint.radii_mm.bounds().1);
         let points = self.points(length_mm, widest_mm);
         if points.is_empty() {
             return refused(
+                "force_n",
                 "no operating point: give `force_n` and `contraction`, \
                 or `points`, each a pull at a contraction, or a load that pulls",
             );
@@ -267,12 +274,15 @@ impl Demand {
             let pull_n = sign * force_n;
             let is_sound = pull_n > 0.0 && pull_n.is_finite();
             if !(is_sound && (0.0..1.0).contains(&(sign * contraction))) {
-                return refused(format!(
-                    "the operating point {force_n}\u{a0}N at a contraction of {contraction} is \
+                return refused(
+                    "points",
+                    format!(
+                        "the operating point {force_n}\u{a0}N at a contraction of {contraction} is \
                      invalid: the pull must be above 0 N and the contraction from 0 to below 1; for \
                      a push of a muscle that extends, the force below 0 N and the contraction from \
                      above -1 to 0"
-                ));
+                    ),
+                );
             }
         }
         Ok(())

@@ -84,14 +84,14 @@ impl Limits {
     /// The numbers that must be above zero, with their names.
     pub fn positive(&self) -> [(&'static str, Option<f64>); 8] {
         [
-            ("the largest bulged diameter", self.bulged_diameter_mm),
-            ("the largest envelope", self.envelope_mm),
-            ("the largest mass", self.mass_g),
-            ("the safety factor", self.burst_margin),
-            ("the safety factor of the tube", self.tube_margin),
-            ("the largest stretch", self.stretch),
-            ("the largest strand strain", self.strand_strain),
-            ("the largest liquid volume", self.liquid_volume_mm3),
+            ("max_bulged_diameter_mm", self.bulged_diameter_mm),
+            ("max_envelope_mm", self.envelope_mm),
+            ("max_mass_kg", self.mass_g.map(|g| 1e-3 * g)),
+            ("min_burst_margin", self.burst_margin),
+            ("min_tube_margin", self.tube_margin),
+            ("max_stretch", self.stretch),
+            ("max_strand_strain", self.strand_strain),
+            ("max_liquid_volume_mm3", self.liquid_volume_mm3),
         ]
     }
 }
@@ -269,7 +269,7 @@ pub static LIMITS: [LimitEntry; 8] = [
     },
     LimitEntry {
         limit: Limit::LiquidVolume,
-        name: "the largest liquid volume",
+        name: "max_liquid_volume_mm3",
         numbers: |at| {
             let (Some(bound), Some(_)) = (at.spec.limits.liquid_volume_mm3, &at.spec.liquid) else {
                 return Ok(None);
@@ -288,7 +288,7 @@ pub static LIMITS: [LimitEntry; 8] = [
     },
     LimitEntry {
         limit: Limit::BulgedDiameter,
-        name: "the largest bulged diameter",
+        name: "max_bulged_diameter_mm",
         numbers: |at| {
             let bulged_mm = at.response.bulged_diameter_mm;
             Ok(bulged_mm.zip(at.spec.limits.bulged_diameter_mm))
@@ -301,7 +301,7 @@ pub static LIMITS: [LimitEntry; 8] = [
     },
     LimitEntry {
         limit: Limit::Envelope,
-        name: "the largest envelope",
+        name: "max_envelope_mm",
         numbers: |at| {
             let envelope_mm = envelope_ratio(at.count) * at.width_mm();
             Ok(Some(envelope_mm).zip(at.spec.limits.envelope_mm))
@@ -356,7 +356,7 @@ pub static LIMITS: [LimitEntry; 8] = [
     },
     LimitEntry {
         limit: Limit::Mass,
-        name: "the largest mass",
+        name: "max_mass_kg",
         numbers: |at| Ok(all_g(at.muscle, at.ends, at.count).zip(at.spec.limits.mass_g)),
         missed: |value_g, bound_g, _| {
             format!(

@@ -237,12 +237,12 @@ impl Spec {
         let usual =
             |tube: &&TubePart| !tube.is_cast || tube.rubber.name.as_deref() == Some(CAST_RUBBER);
         self.tubes = tubes::catalogue()
-            .map_err(|e| SpecError::Refused(e.to_string()))?
+            .map_err(|e| SpecError::Refused("", e.to_string()))?
             .iter()
             .filter(usual)
             .cloned()
             .collect();
-        let sleeves = sleeve::library::entries().map_err(|e| SpecError::Refused(e.message))?;
+        let sleeves = sleeve::library::entries().map_err(|e| SpecError::Refused("", e.message))?;
         // Each on the least tube that it fits; the search lays it on others.
         let on_least = |entry: &SleeveEntry| entry.sleeve.on(entry.sleeve.diameters().0);
         let braids: Result<_, _> = sleeves.iter().map(on_least).collect();
@@ -314,7 +314,10 @@ impl Spec {
             BraidChoice::Sleeves(list) => list.len(),
         };
         if braids == 0 {
-            return refused("the list of braids is empty: give one angle or sleeve at least");
+            return refused(
+                "braid",
+                "the list of braids is empty: give one angle or sleeve at least",
+            );
         }
         let axes = [
             count(&self.outer_diameter_mm),
@@ -325,10 +328,13 @@ impl Spec {
         ];
         let all: f64 = axes.map(|n| n as f64).iter().product();
         if all > 1e6 {
-            return refused(format!(
-                "{all:.3e} combinations are too many; at most 1 million: take larger steps or \
+            return refused(
+                "",
+                format!(
+                    "{all:.3e} combinations are too many; at most 1 million: take larger steps or \
                  fewer values"
-            ));
+                ),
+            );
         }
         self.check_contraction(peak(lengths))
     }
@@ -336,18 +342,18 @@ impl Spec {
     fn check_numbers(&self) -> Result<(), SpecError> {
         let one = |value: f64| Some((value, value));
         let mut numbers = vec![
-            ("the maximum pressure", one(self.max_pressure_mpa)),
-            ("the share of the supply", one(self.supply_share)),
-            ("the outer diameter", Some(self.outer_diameter_mm.bounds())),
-            ("the wall", Some(self.wall_mm.bounds())),
-            ("the length", self.length_mm.as_ref().map(Values::bounds)),
+            ("max_pressure_mpa", one(self.max_pressure_mpa)),
+            ("supply_share", one(self.supply_share)),
+            ("outer_diameter_mm", Some(self.outer_diameter_mm.bounds())),
+            ("wall_mm", Some(self.wall_mm.bounds())),
+            ("length_mm", self.length_mm.as_ref().map(Values::bounds)),
             (
-                "the radius of the pulley",
+                "radius_mm",
                 self.wanted.joint().map(|joint| joint.radii_mm.bounds()),
             ),
-            ("the pitch", self.pitch_mm.and_then(one)),
-            ("`top`", one(self.top as f64)),
-            ("`count`", one(f64::from(self.count))),
+            ("pitch_mm", self.pitch_mm.and_then(one)),
+            ("top", one(self.top as f64)),
+            ("count", one(f64::from(self.count))),
         ];
         let limits = self.limits.positive();
         numbers.extend(limits.map(|(name, value)| (name, value.and_then(one))));
@@ -359,35 +365,43 @@ impl Spec {
                 } else {
                     format!("{low} to {high}")
                 };
-                return refused(format!(
-                    "{name} is {value}; it must be above zero, the smaller end first"
-                ));
+                return refused(
+                    name,
+                    format!("`{name}` is {value}; it must be above zero, the smaller end first"),
+                );
             }
         }
         let count = self.count.max(self.most_side_by_side);
         if count > MOST {
-            return refused(format!("`count` is {count}; it must be at most {MOST}"));
+            return refused(
+                "count",
+                format!("`count` is {count}; it must be at most {MOST}"),
+            );
         }
         let limits = &self.limits;
         let factors = [
-            ("the safety factor", limits.burst_margin, LEAST_SAFETY),
-            ("the safety factor of the tube", limits.tube_margin, PROVED),
+            ("min_burst_margin", limits.burst_margin, LEAST_SAFETY),
+            ("min_tube_margin", limits.tube_margin, PROVED),
         ];
         for (name, factor, least) in factors {
             if let Some(factor) = factor.filter(|factor| *factor < least) {
-                return refused(format!(
-                    "{name} is {factor}; give {least} or more, so that the muscle can be tested \
+                return refused(
+                    name,
+                    format!(
+                        "`{name}` is {factor}; give {least} or more, so that the muscle can be tested \
                      above the pressure that is set, or 0 to leave failures out"
-                ));
+                    ),
+                );
             }
         }
         match self
             .certainty
             .filter(|share| !(0.5..=0.999).contains(share))
         {
-            Some(share) => refused(format!(
-                "the certainty is {share}; it must be from 0.5 (50 %) to 0.999 (99.9 %)"
-            )),
+            Some(share) => refused(
+                "certainty",
+                format!("`certainty` is {share}; it must be from 0.5 (50 %) to 0.999 (99.9 %)"),
+            ),
             None => Ok(()),
         }
     }
@@ -436,17 +450,17 @@ impl Spec {
 }
 
 /// Refuses a specification with the reason.
-pub(crate) fn refused<T>(why: impl Into<String>) -> Result<T, SpecError> {
-    Err(SpecError::Refused(why.into()))
+pub(crate) fn refused<T>(field: &'static str, why: impl Into<String>) -> Result<T, SpecError> {
+    Err(SpecError::Refused(field, why.into()))
 }
 
 /// Why a specification cannot be searched at all.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum SpecError {
-    /// Refused: field, value, what it must be.
-    #[error("{0}")]
-    Refused(String),
+    /// The field, and a sentence of it, its value and what it must be.
+    #[error("{1}")]
+    Refused(&'static str, String),
     /// A largest liquid volume without a liquid.
     #[error(
         "`max_liquid_volume_mm3` is {0} mm³, and the muscle is filled with air: give `liquid`, or \

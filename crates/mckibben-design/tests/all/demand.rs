@@ -110,20 +110,20 @@ fn what_makes_no_sense_is_refused() {
     };
     assert!(matches!(
         joint(8.0, 70.0, 60.0, 25.0),
-        Err(SpecError::Refused(_))
+        Err(SpecError::Refused(..))
     ));
     assert!(matches!(
         joint(0.0, 10.0, 60.0, 25.0),
-        Err(SpecError::Refused(_))
+        Err(SpecError::Refused(..))
     ));
     assert!(matches!(
         joint(8.0, 45.0, 60.0, 0.0),
-        Err(SpecError::Refused(_))
+        Err(SpecError::Refused(..))
     ));
     // More than the muscle's length.
     assert!(matches!(
         joint(8.0, 60.0, 60.0, 250.0),
-        Err(SpecError::Refused(_))
+        Err(SpecError::Refused(..))
     ));
     let level = Load::Mass {
         mass_kg: 3.0,
@@ -136,6 +136,7 @@ fn what_makes_no_sense_is_refused() {
     assert_eq!(
         nothing.check(285.0),
         Err(SpecError::Refused(
+            "force_n",
             "no operating point: give \
         `force_n` and `contraction`, or `points`, each a pull at a contraction, or a load that \
         pulls"

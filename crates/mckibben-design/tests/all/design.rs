@@ -485,21 +485,37 @@ fn a_joint_that_was_designed_has_its_torques_and_no_radius_has_a_smaller_muscle(
 /// What cannot be searched is refused with its value, and is no panic and no "nothing fits".
 #[test]
 fn a_specification_that_is_none_is_refused_with_its_field() {
-    let changed = |change: &dyn Fn(&mut Spec)| {
+    let refused = |field: &str, change: &dyn Fn(&mut Spec)| {
         let mut spec = spec(300.0, 0.1);
         change(&mut spec);
-        design(&spec, BUILD).unwrap_err().to_string()
+        match design(&spec, BUILD) {
+            Err(SpecError::Refused(blamed, said)) => {
+                assert_eq!(blamed, field, "{said}");
+                assert!(said.starts_with(&format!("`{field}` is ")), "{said}");
+                said
+            }
+            other => panic!("{field}: {other:?}"),
+        }
     };
-    let said = changed(&|spec| spec.top = 0);
-    assert!(said.contains("`top` is 0"), "{said}");
+    refused("top", &|spec| spec.top = 0);
+    refused("count", &|spec| spec.count = u32::MAX);
     let reversed = || Values::Interval(80.0, 5.0);
-    let said = changed(&|spec| spec.outer_diameter_mm = reversed());
-    assert!(
-        said.contains("the outer diameter") && said.contains("80"),
-        "{said}"
-    );
-    let said = changed(&|spec| spec.wall_mm = reversed());
-    assert!(said.contains("the wall"), "{said}");
-    let said = changed(&|spec| spec.wall_mm = Values::List(vec![f64::NAN]));
-    assert!(said.contains("the wall"), "{said}");
+    let said = refused("outer_diameter_mm", &|spec| {
+        spec.outer_diameter_mm = reversed()
+    });
+    assert!(said.contains("80"), "{said}");
+    refused("wall_mm", &|spec| {
+        spec.wall_mm = Values::List(vec![f64::NAN])
+    });
+    refused("max_pressure_mpa", &|spec| spec.max_pressure_mpa = -0.6);
+    refused("supply_share", &|spec| spec.supply_share = f64::NAN);
+    refused("certainty", &|spec| spec.certainty = Some(0.2));
+    refused("min_burst_margin", &|spec| {
+        spec.limits.burst_margin = Some(1.0)
+    });
+    refused("max_stretch", &|spec| {
+        spec.limits.stretch = Some(f64::INFINITY)
+    });
+    let said = refused("max_mass_kg", &|spec| spec.limits.mass_g = Some(-50.0));
+    assert!(said.contains("-0.05"), "{said}");
 }

@@ -125,10 +125,10 @@ fn a_pull_and_a_push_at_once_and_strands_of_the_wrong_angle_are_refused() {
         },
         ..spec(-30.0, -0.1, Limits::default())
     };
-    assert!(matches!(design(&mixed, BUILD), Err(SpecError::Refused(_))));
+    assert!(matches!(design(&mixed, BUILD), Err(SpecError::Refused(..))));
     assert!(matches!(
         design(&spec(-30.0, 0.1, Limits::default()), BUILD),
-        Err(SpecError::Refused(said)) if said.contains("-30\u{a0}N")
+        Err(SpecError::Refused(_, said)) if said.contains("-30\u{a0}N")
     ));
     let steep = Spec {
         braid: BraidChoice::Angle(Values::List(vec![30.0])),
