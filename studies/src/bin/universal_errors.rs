@@ -25,7 +25,7 @@ fn main() -> Result<()> {
     let samples = held_out_samples(count, seed);
     if let Some(file) = words.next() {
         // Ticks are powers of ten.
-        let svg = (-4..=2).rev().fold(figure(&samples)?.to_svg()?, |svg, k| {
+        let svg = (-5..=3).rev().fold(figure(&samples)?.to_svg()?, |svg, k| {
             let tick = format!("middle\">{k}<").replace('-', "−");
             svg.replace(&tick, &format!("middle\">{}<", 10f64.powi(k)))
         });
@@ -72,7 +72,7 @@ fn figure(samples: &[Sample]) -> Result<Figure> {
     const STEPS: usize = 200;
     let points: usize = samples.iter().map(|s| s.points.len()).sum();
     let mut panel = Panel::new(
-        Axis::new("|error|, % of the blocked force").range(-4.0, 2.0),
+        Axis::new("|error|, % of the blocked force").range(-5.0, 3.0),
         Axis::new("share of points within it, %").range(0.0, 100.0),
     );
     for kind in [ModelKind::Universal, ModelKind::ThickWall, ModelKind::Ideal] {
