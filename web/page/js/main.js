@@ -164,7 +164,7 @@ function fail(problem) {
 async function start() {
   try {
     engine();
-    await Promise.all([loadUnits(), loadMeasures()]);
+    await Promise.all([loadUnits(), loadMeasures(), pageOfServer(pageOf(read().page).name)]);
     await route();
   } catch (problem) {
     fail(problem);

@@ -225,19 +225,15 @@ export class MuscleState {
     unitsFromAddress(params.get("u") ?? "");
     // In a word of another address it is compressed still.
     params.set("file", unpacked(params.get("file") ?? ""));
-    const [readings] = await Promise.all([
-      understood(texts(params).map(({ text, kind }) => ({ text, kind }))),
-      this.known(),
-    ]);
+    const readings = await understood(texts(params).map(({ text, kind }) => ({ text, kind })));
     const known = new Set([...keys(), "u", "name", ...own]);
     this.unknown = [...params].filter(([key]) => !known.has(key));
     this.#put(fromWords(params, readings), (params.get("name") ?? "").slice(0, 80));
     // What cannot be read the page says when it asks for more.
-    try {
-      await this.look();
-    } catch {
+    const looked = this.look().catch(() => {
       this.shown = undefined;
-    }
+    });
+    await Promise.all([looked, this.known()]);
   }
 
   /** The sleeves of the library, once. */

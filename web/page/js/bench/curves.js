@@ -70,8 +70,9 @@ export function curvesView(store, beside) {
   const soon = rested(ask, 100);
   /** Curves at rest; while the hand moves they take at most an eighth of the time. */
   watch(() => {
-    void [store.point.value, store.facts.value, store.wanted.value, points.pressures()];
-    soon(performance.now() > due ? 0 : undefined);
+    void [store.facts.value, store.wanted.value, points.pressures()];
+    // The muscle comes first.
+    if (store.point.value || store.problem.value) soon(performance.now() > due ? 0 : undefined);
   });
 
   watch(() => {
