@@ -74,13 +74,16 @@ async function delays(slider) {
 const measure = () =>
   page.evaluate(() => {
     const w = /** @type {any} */ (window);
-    // After the page's own: a value that stays asks for nothing.
-    if (!w.delays)
+    if (!w.delays) {
+      document.addEventListener("input", (event) => w.open.push(event.timeStamp), true);
+      // After the page's own: a value that stays asks for nothing.
       document.addEventListener("input", ({ target, timeStamp }) => {
         const text = /** @type {Element} */ (target).ariaValueText;
-        if (text === null || text !== w.text) w.open.push(timeStamp);
+        if (text !== null && text === w.text)
+          w.open = w.open.filter((/** @type {number} */ t) => t !== timeStamp);
         w.text = text;
       });
+    }
     Object.assign(w, { delays: [], open: [] });
     const answered = new MutationObserver(() => {
       const mine = w.open.splice(0);

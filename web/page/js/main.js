@@ -110,10 +110,8 @@ function moved(wanted, params) {
   if (wanted === "sweep") params.set("test", "sweep");
   if (wanted === "compare") compared(params);
   if (wanted === "formula")
-    notice(
-      "The place Formula is gone. The commands `campaign` and `fit` make a formula; drop its file here to see it.",
-    );
-  else if (!(wanted in MOVED) && name !== wanted)
+    notice("The place Formula is gone: `campaign` and `fit` make a formula; drop its file here.");
+  else if (!(wanted in MOVED || wanted in WINDOWS) && name !== wanted)
     notice(`There is no page "${wanted.slice(0, 40)}". This is the muscle.`);
   return name;
 }
@@ -123,8 +121,7 @@ async function route() {
   routing = true;
   const { page: wanted, params, lost } = read(),
     name = moved(wanted, params);
-  if (lost.length)
-    notice("The link is damaged: a file in it cannot be read. Ask for the link or the file again.");
+  if (lost.length) notice("The link is damaged: ask for it again, or for its file.");
   frame(name);
   try {
     if (shown?.name !== name) {

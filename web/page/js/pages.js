@@ -54,16 +54,8 @@ export const PAGES = [
     "Fit laws to a test of your own rubber, and put it into the muscle.",
   ],
 ].map(([name, place, text, help, about]) => ({ name, place, text, help, about }));
-/** Pages of old links, and where they are now. @type {Record<string, string>} */
-export const MOVED = {
-  start: "design",
-  sweep: "muscle",
-  compare: "muscle",
-  parts: "muscle",
-  files: "muscle",
-  about: "muscle",
-  formula: "muscle",
-};
+/** Pages of old links, and where they are now; of all others the first. @type {Record<string, string>} */
+export const MOVED = { start: "design", sweep: "muscle", compare: "muscle" };
 /** @param {string} name */
 export const pageOf = (name) =>
   PAGES.find((page) => page.name === (MOVED[name] ?? name)) ?? PAGES[0];
