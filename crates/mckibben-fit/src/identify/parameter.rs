@@ -28,12 +28,10 @@ pub enum Target {
     Measure(#[doc(hidden)] &'static Measure),
 }
 
-/// Names that are neither of the law nor of a measure; some have a second spelling.
-const NAMES: [(&str, Target); 5] = [
+/// Names that are neither of the law nor of a measure.
+const NAMES: [(&str, Target); 3] = [
     ("tube.material.modulus", Modulus),
-    ("modulus", Modulus),
     ("braid.stiffness", Stiffness),
-    ("stiffness", Stiffness),
     ("force_offset", ForceOffset),
 ];
 
@@ -76,26 +74,17 @@ impl Target {
             .map_or_else(String::new, |n| n.0.to_owned())
     }
 
-    /// The target of a name.
+    /// The target of a name, or of its last part.
     pub fn parse(text: &str, muscle: &Muscle) -> Result<Self, ParameterError> {
         let given = text.trim();
-        if let Some((_, target)) = NAMES.iter().find(|n| n.0 == given) {
-            return Ok(*target);
-        }
-        if let Some((m, _)) = measures().find(|(m, i)| m.key == given || i.also.contains(&given)) {
-            return Ok(Target::Measure(m));
-        }
         let all = Target::all(muscle);
-        let short = |t: &Target| {
-            t.name(muscle)
-                .trim_start_matches("tube.material.")
-                .to_owned()
+        let is_given = |target: &&Target| {
+            let name = target.name(muscle);
+            let other = target.identify().map_or(&[][..], |i| i.also);
+            name == given || name.rsplit('.').next() == Some(given) || other.contains(&given)
         };
-        if let Some(t) = all
-            .iter()
-            .find(|t| t.name(muscle) == given || matches!(t, Law(_)) && short(t) == given)
-        {
-            return Ok(*t);
+        if let Some(target) = all.iter().find(is_given) {
+            return Ok(*target);
         }
         Err(unknown(given, all.into_iter(), muscle))
     }

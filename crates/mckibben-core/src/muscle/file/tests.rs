@@ -180,14 +180,14 @@ fn the_prototype_is_written_for_people() {
 #:schema muscle.schema.json
 
 [tube]
-outer_diameter = "30 mm"
-wall_thickness = "3 mm"
-length = "285 mm"                # between the terminals
+outer_diameter = "30 mm"         # Outer diameter D0 of the tube at rest
+wall_thickness = "3 mm"          # Wall thickness s of the tube at rest
+length = "285 mm"                # Length L0 between the terminals at rest
 rubber = "antonelli2018"         # or [tube.material] with a law and its constants
 
 [braid]
-angle = "28 deg"                 # strands to the muscle's axis, at rest
-stiffness = "antonelli2018"      # k of one strand family: "321 N/mm", "inextensible", or "antonelli2018"
+angle = "28 deg"                 # Angle θ0 of the strands to the axis at rest
+stiffness = "antonelli2018"      # Stiffness k of one strand family
 "#,
         env!("CARGO_PKG_VERSION")
     );

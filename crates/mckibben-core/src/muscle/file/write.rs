@@ -77,7 +77,7 @@ impl Text {
             if std::mem::take(&mut begins) {
                 self.line(&format!("\n[{path}]"));
             }
-            self.key(key, &written(value, schema), &comment(&dotted, schema));
+            self.key(key, &written(value, schema), &comment(schema));
         }
     }
 }
@@ -124,20 +124,10 @@ fn unit(schema: &Value) -> Option<&str> {
     }
 }
 
-/// That of a measure by the table of them, of another key the sentence about it.
-fn comment(dotted: &str, schema: &Value) -> String {
-    let of_measure = Measure::of_key(dotted).map(|m| m.comment);
-    if let Some(comment) = of_measure.or(schema["x-comment"].as_str()) {
-        return comment.to_owned();
-    }
-    let about = description(schema).unwrap_or_default();
-    let mut letters = about.chars();
-    match (letters.next(), letters.next()) {
-        (Some(first), Some(next)) if next.is_lowercase() || next == ' ' => {
-            first.to_lowercase().chain(about.chars().skip(1)).collect()
-        }
-        _ => about,
-    }
+/// The sentence about a key, unless it has another one or none.
+fn comment(schema: &Value) -> String {
+    let own = schema["x-comment"].as_str().map(str::to_owned);
+    own.or(description(schema)).unwrap_or_default()
 }
 
 /// A table with the measures that are stated and have no rules of their own.

@@ -5,27 +5,29 @@ use crate::muscle::{Crimp, Friction, MeasuredStrand, Parts, Strands};
 /// A measure that stands in a field of a part, by the path of the field; not stated where the field
 /// has its usual value.
 macro_rules! stated {
-    ($($field:ident).+) => {
+    ($part:ident.$field:ident) => {
         Measure {
-            get: |p| Some(p.$($field).+),
-            set: |p, v| p.$($field).+ = v,
+            field: Some(stringify!($field)),
+            get: |p| Some(p.$part.$field),
+            set: |p, v| p.$part.$field = v,
             ..Measure::NONE
         }
     };
-    ($($field:ident).+, unless $usual:literal) => {
+    ($part:ident.$field:ident, unless $usual:literal) => {
         Measure {
-            get: |p| Some(p.$($field).+).filter(|v| *v != $usual),
-            ..stated!($($field).+)
+            get: |p| Some(p.$part.$field).filter(|v| *v != $usual),
+            ..stated!($part.$field)
         }
     };
 }
 
 /// The same of a field that may be none.
 macro_rules! optional {
-    ($($field:ident).+) => {
+    ($part:ident.$field:ident) => {
         Measure {
-            get: |p| p.$($field).+,
-            set: |p, v| p.$($field).+ = Some(v),
+            field: Some(stringify!($field)),
+            get: |p| p.$part.$field,
+            set: |p, v| p.$part.$field = Some(v),
             ..Measure::NONE
         }
     };

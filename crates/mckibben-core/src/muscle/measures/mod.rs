@@ -174,7 +174,8 @@ impl Identify {
 pub struct Measure {
     /// Key in the muscle file: `tube.outer_diameter`.
     pub key: &'static str,
-    /// Field in requests and answers, with its unit: `outer_diameter_mm`.
+    /// Field in requests and answers, with its unit: `outer_diameter_mm`. That of its part, unless it
+    /// says another one.
     pub field: Option<&'static str>,
     /// Its symbol.
     pub symbol: &'static str,
@@ -182,8 +183,6 @@ pub struct Measure {
     pub label: &'static str,
     /// What it is, in one sentence without its unit.
     pub about: &'static str,
-    /// Comment in muscle files.
-    pub comment: &'static str,
     /// Letter of its flag, where the command line has one for it.
     pub short: Option<char>,
     /// What it measures.
@@ -240,7 +239,6 @@ impl Measure {
         symbol: "",
         label: "",
         about: "",
-        comment: "",
         short: None,
         dimension: Dimension::Ratio,
         is_share: false,

@@ -17,7 +17,6 @@ measures! {
     /// D0
     OUTER_DIAMETER {
         key: "tube.outer_diameter",
-        field: Some("outer_diameter_mm"),
         symbol: "D0",
         label: "outer diameter",
         about: "Outer diameter D0 of the tube at rest",
@@ -33,7 +32,6 @@ measures! {
     /// s
     WALL {
         key: "tube.wall_thickness",
-        field: Some("wall_mm"),
         symbol: "s",
         label: "wall",
         about: "Wall thickness s of the tube at rest",
@@ -46,11 +44,9 @@ measures! {
     /// L0
     LENGTH {
         key: "tube.length",
-        field: Some("length_mm"),
         symbol: "L0",
         label: "length",
         about: "Length L0 between the terminals at rest",
-        comment: "between the terminals",
         short: Some('L'),
         dimension: Length,
         identify: Some(Identify::UNKNOWN),
@@ -60,11 +56,9 @@ measures! {
     /// ρ
     DENSITY {
         key: "tube.density",
-        field: Some("density_kg_per_m3"),
         symbol: "ρ",
         label: "density of the rubber",
         about: "Density ρ of the rubber",
-        comment: "of the rubber; only its mass follows from it",
         dimension: Density,
         is_shown: true,
         ..optional!(tube.density_kg_per_m3)
@@ -73,32 +67,25 @@ measures! {
     /// λp
     PRESTRETCH {
         key: "tube.prestretch",
-        field: Some("prestretch"),
         symbol: "λp",
         label: "prestretch",
         about: "Axial stretch of the mounted tube: L0 over its free length; all dimensions are those \
             of the mounted muscle",
-        comment: "mounted length over free length; D0, wall and length are the mounted ones",
         bounds: Between(0.5, 2.0),
         default: Some(1.0),
         is_shown: true,
         digested: true,
-        identify: Some(Identify {
-            also: &["prestretch"],
-            ..Identify::UNKNOWN
-        }),
+        identify: Some(Identify::UNKNOWN),
         ..stated!(tube.prestretch, unless 1.0)
     }
 
     /// T
     TEMPERATURE {
         key: "tube.temperature",
-        field: Some("temperature_degc"),
         symbol: "T",
         label: "temperature of the rubber",
         about: "Temperature T of the rubber; its moduli change like the absolute temperature, from \
             23 °C on",
-        comment: "of the rubber, whose constants are those at 23 °C",
         dimension: Temperature,
         bounds: Between(-20.0, 120.0),
         is_shown: true,
@@ -109,11 +96,9 @@ measures! {
     /// θ0
     ANGLE {
         key: "braid.angle",
-        field: Some("angle_deg"),
         symbol: "θ0",
         label: "braid angle",
         about: "Angle θ0 of the strands to the axis at rest",
-        comment: "strands to the muscle's axis, at rest",
         dimension: Angle,
         has_rules: true,
         bounds: OfPart,
@@ -128,10 +113,8 @@ measures! {
     /// Tube and braid on each plug
     INSERTION {
         key: "terminals.insertion",
-        field: Some("insertion_mm"),
         label: "insertion of each plug",
         about: "Length of tube and braid clamped on each plug",
-        comment: "tube and braid clamped on each plug",
         dimension: Length,
         bounds: NotNegative,
         ..optional!(terminals.insertion_mm)
@@ -140,17 +123,14 @@ measures! {
     /// δ
     SEATING {
         key: "terminals.seating",
-        field: Some("seating_mm"),
         label: "seating of both ends",
         about: "Seating: total displacement of both ends under load",
-        comment: "total displacement of both ends under load",
         dimension: Length,
         bounds: NotNegative,
         default: Some(0.0),
         is_shown: true,
         digested: true,
         identify: Some(Identify {
-            also: &["seating"],
             scale: Scale::Length,
             ..Identify::from(0.002, (0.0, 0.2))
         }),
@@ -160,17 +140,14 @@ measures! {
     /// c
     SLIP {
         key: "terminals.slip",
-        field: Some("slip_mm_per_n"),
         label: "slip of both ends",
         about: "Slip of both ends together per newton of clamp load",
-        comment: "slip of both ends together per newton of clamp load",
         dimension: Compliance,
         bounds: NotNegative,
         default: Some(0.0),
         is_shown: true,
         digested: true,
         identify: Some(Identify {
-            also: &["slip"],
             scale: Scale::LengthPerPull,
             ..Identify::from(0.002, (0.0, 0.2))
         }),
@@ -180,17 +157,14 @@ measures! {
     /// h
     GRIP {
         key: "terminals.grip",
-        field: Some("grip_mm"),
         label: "clamped length",
         about: "Length at each end, within L0, in which tube and braid are clamped",
-        comment: "clamped at each end, within the length",
         dimension: Length,
         bounds: NotNegative,
         default: Some(0.0),
         is_shown: true,
         digested: true,
         identify: Some(Identify {
-            also: &["grip"],
             scale: Scale::Length,
             ..Identify::from(0.005, (0.0, 0.2))
         }),
@@ -200,30 +174,23 @@ measures! {
     /// Diameter of the plugs
     PLUG_DIAMETER {
         key: "terminals.plug_diameter",
-        field: Some("plug_diameter_mm"),
         symbol: "Dp",
         label: "diameter of the plugs",
         about: "Outer diameter of the plugs on which tube and braid are clamped; the bore of the \
             tube where none is stated",
-        comment: "on which the tube is drawn; its bore where none is stated",
         dimension: Length,
         is_shown: true,
         models: &["fe", "fe3d", "universal"],
         digested: true,
-        identify: Some(Identify {
-            also: &["plug-diameter"],
-            ..Identify::UNKNOWN
-        }),
+        identify: Some(Identify::UNKNOWN),
         ..optional!(terminals.plug_diameter_mm)
     }
 
     /// Pull-off force of a clamp
     PULL_OFF {
         key: "terminals.pull_off",
-        field: Some("pull_off_n"),
         label: "pull-off force of a clamp",
         about: "Axial load at which a clamp lets go of tube and braid",
-        comment: "axial load at which a clamp lets go; the burst pressure follows from it",
         dimension: Force,
         is_shown: true,
         ..optional!(terminals.pull_off_n)
@@ -232,10 +199,8 @@ measures! {
     /// Rated pressure of the fittings
     RATED_PRESSURE {
         key: "terminals.rated_pressure",
-        field: Some("rated_pressure_mpa"),
         label: "rated pressure of the fittings",
         about: "Pressure for which plugs and fittings are rated",
-        comment: "of plugs and fittings; the allowed pressure is at most this",
         dimension: Pressure,
         is_shown: true,
         ..optional!(terminals.rated_pressure_mpa)
@@ -252,7 +217,6 @@ measures! {
         bounds: OfPart,
         models: &["tondu-lopez", "thick-wall"],
         identify: Some(Identify {
-            also: &["end-factor"],
             start: Some(1.0),
             ..Identify::UNKNOWN
         }),
@@ -268,7 +232,6 @@ measures! {
         symbol: "k",
         label: "stiffness of a strand family",
         about: "Stiffness k of one strand family",
-        comment: "k of one strand family: \"321 N/mm\", \"inextensible\", or \"antonelli2018\"",
         dimension: Stiffness,
         has_rules: true,
         bounds: OfPart,
@@ -280,11 +243,9 @@ measures! {
     /// fk
     STIFFNESS_FACTOR {
         key: "braid.stiffness_factor",
-        field: Some("stiffness_factor"),
         symbol: "fk",
         label: "stiffness known within a factor of",
         about: "Factor within which the stiffness of the strands is known",
-        comment: "the stiffness is known within this factor; the ± of the pull carries it",
         has_rules: true,
         bounds: Between(1.0, 10.0),
         default: Some(1.0),
@@ -298,7 +259,6 @@ measures! {
         symbol: "N",
         label: "number of strands",
         about: "Number N of strands, both families together",
-        comment: "both families together",
         has_rules: true,
         bounds: Even,
         get: |p| p.braid.strands.map(|s| f64::from(s.count)),
@@ -312,7 +272,6 @@ measures! {
         field: Some("strands_factor"),
         label: "number of strands known within a factor of",
         about: "Factor by which there may be fewer strands; the allowed pressure carries it",
-        comment: "there may be fewer by this factor; the allowed pressure carries it",
         has_rules: true,
         bounds: Between(1.0, 10.0),
         beside: Some((&STRANDS, "how many strands there are at most")),
@@ -328,7 +287,6 @@ measures! {
         symbol: "A",
         label: "cross-section of a strand",
         about: "Cross-section A of one strand",
-        comment: "of one strand",
         dimension: Area,
         has_rules: true,
         get: |p| p.braid.strands?.area_mm2,
@@ -356,7 +314,6 @@ measures! {
         field: Some("strand_strength_n"),
         label: "strength of a strand",
         about: "Force at which one strand breaks",
-        comment: "force at which one strand breaks",
         dimension: Force,
         has_rules: true,
         get: |p| p.braid.strands?.strength_n,
@@ -370,7 +327,6 @@ measures! {
         field: Some("strand_strength_factor"),
         label: "strength of a strand known within a factor of",
         about: "Factor by which the strands may be weaker; the allowed pressure carries it",
-        comment: "they may be weaker by this factor; the allowed pressure carries it",
         has_rules: true,
         bounds: Between(1.0, 10.0),
         beside: Some((&STRAND_STRENGTH, "the strength that is known within it")),
@@ -382,11 +338,9 @@ measures! {
     /// b
     STRANDS_PER_CARRIER {
         key: "braid.strands_per_carrier",
-        field: Some("strands_per_carrier"),
         symbol: "b",
         label: "strands per carrier",
         about: "Strands that lie side by side on a carrier of the braiding machine",
-        comment: "side by side, which leaves openings between them",
         has_rules: true,
         bounds: Between(1.0, 100.0),
         ..optional!(braid.strands_per_carrier)
@@ -399,7 +353,6 @@ measures! {
         symbol: "b",
         label: "measured length of a strand",
         about: "Length of one strand measured on the muscle",
-        comment: "measured on the muscle, rounded ends included",
         dimension: Length,
         models: &["belforte"],
         beside: Some((&TURNS, MEASURED_STRAND)),
@@ -425,20 +378,15 @@ measures! {
     /// P0
     TAKE_UP {
         key: "braid.take_up",
-        field: Some("take_up_mpa"),
         symbol: "P0",
         label: "take-up pressure",
         about: "Take-up pressure P0: what takes up the slack of the braid before the muscle pulls",
-        comment: "takes up the slack of the braid before the muscle pulls",
         dimension: Pressure,
         bounds: NotNegative,
         default: Some(0.0),
         is_shown: true,
         digested: true,
-        identify: Some(Identify {
-            also: &["take-up"],
-            ..Identify::UNKNOWN
-        }),
+        identify: Some(Identify::UNKNOWN),
         ..optional!(braid.take_up_mpa)
     }
 
@@ -449,7 +397,6 @@ measures! {
         symbol: "t",
         label: "thickness of the braid",
         about: "Thickness t of the braid, both layers of strands",
-        comment: "both layers: the midline of the strands is half of it above the tube",
         dimension: Length,
         bounds: NotNegative,
         default: Some(0.0),
@@ -465,7 +412,6 @@ measures! {
         symbol: "Ds",
         label: "inner diameter of the sleeve",
         about: "Inner diameter Ds of a sleeve wider than the tube, at its angle",
-        comment: "inside, at the angle above: a sleeve wider than the tube",
         dimension: Length,
         is_shown: true,
         digested: true,
@@ -480,7 +426,6 @@ measures! {
         symbol: "c1",
         label: "crimp of the strands",
         about: "Strain c1 at which the strands are straight",
-        comment: "strain at which the strands are straight",
         is_shown: true,
         identify: Some(Identify::UNKNOWN),
         is_share: true,
@@ -496,7 +441,6 @@ measures! {
         symbol: "κ",
         label: "stiffness share in the crimp",
         about: "Share κ of their stiffness that the strands have before they are straight",
-        comment: "before that, as a share of their stiffness",
         is_shown: true,
         beside: Some((
             &CRIMP,
@@ -514,7 +458,6 @@ measures! {
         symbol: "C",
         label: "friction coefficient",
         about: "Coefficient C of the friction C·P^β, P in MPa",
-        comment: "C in N/MPa^β: half-width C·P^β of the hysteresis",
         unit: Some("N/MPa^β"),
         bounds: NotNegative,
         beside: Some((&FRICTION_EXPONENT, POWER_LAW)),
@@ -534,7 +477,6 @@ measures! {
         symbol: "β",
         label: "friction exponent",
         about: "Exponent β of the friction C·P^β",
-        comment: "β",
         bounds: NotNegative,
         beside: Some((&FRICTION_COEFFICIENT, POWER_LAW)),
         identify: Some(Identify {
@@ -556,7 +498,6 @@ measures! {
         symbol: "μw",
         label: "friction lever",
         about: "Coefficient of friction times lever of the strands' crossings, μw",
-        comment: "μw: coefficient of friction times lever of the strands' crossings",
         dimension: Length,
         bounds: NotNegative,
         identify: Some(Identify {
@@ -575,7 +516,6 @@ measures! {
         symbol: "xs",
         label: "presliding length",
         about: "Presliding length xs, over which the friction builds up after a reversal",
-        comment: "length over which the friction builds up after a reversal",
         dimension: Length,
         default: Some(0.5),
         is_shown: true,
