@@ -1,6 +1,6 @@
 //! The air in a muscle: mass, energy, heat.
 
-use crate::fluid::Medium;
+use crate::{Result, error::within, fluid::Medium};
 
 /// R of dry air in J/(kg K), which is mJ/(g K).
 pub const GAS_CONSTANT_J_PER_KG_K: f64 = 287.05;
@@ -44,6 +44,15 @@ impl Heat {
             Self::Isothermal => 1.0,
             Self::Polytropic(n) => n,
             _ => HEAT_RATIO,
+        }
+    }
+
+    pub(crate) fn check(self) -> Result<()> {
+        match self {
+            Self::Polytropic(n) => within("the polytropic index", n, 1.0, 1.4),
+            Self::Transfer(h) => within("the heat transfer in W/(m² K)", h, 0.0, 1e9),
+            Self::Conductance(h) => within("the heat conductance in W/K", h, 0.0, 1e9),
+            Self::Isothermal | Self::Adiabatic => Ok(()),
         }
     }
 }

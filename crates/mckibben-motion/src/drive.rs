@@ -1,8 +1,8 @@
 //! What is to be run.
 
 use crate::{
-    ATMOSPHERE_MPA, Command, Fluid, Heat, Hose, LiquidValve, Mechanism, MotionError, Pid,
-    PidOutput, Prony, Pump, Result, Syringe, Valve, ValveKind, error::within,
+    ATMOSPHERE_MPA, Command, Fluid, Hose, LiquidValve, Mechanism, MotionError, Pid, PidOutput,
+    Prony, Pump, Result, Syringe, Valve, ValveKind, error::within,
 };
 use mckibben_core::{model::ForceModel, muscle::Friction};
 use std::sync::Arc;
@@ -355,12 +355,7 @@ impl Actuated {
             1e12,
         )?;
         if let Fluid::Air(air) = &self.fluid {
-            match air.heat {
-                Heat::Polytropic(n) => within("the polytropic index", n, 1.0, 1.4)?,
-                Heat::Transfer(h) => within("the heat transfer in W/(m² K)", h, 0.0, 1e9)?,
-                Heat::Conductance(h) => within("the heat conductance in W/K", h, 0.0, 1e9)?,
-                Heat::Isothermal | Heat::Adiabatic => {}
-            }
+            air.heat.check()?;
         }
         self.check_actuator()?;
         if let Some(Friction {

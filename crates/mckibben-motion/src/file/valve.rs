@@ -174,7 +174,11 @@ pub fn air(keys: &OfAir, source: &Source<'_>, wall_temperature_k: f64) -> Result
         (Some(_), Some(_)) => {
             return Err(source.error("air.polytropic_index", "conflicts with heat; keep one"));
         }
-        (None, Some(n)) => Heat::Polytropic(n),
+        (None, Some(n)) => {
+            let heat = Heat::Polytropic(n);
+            source.valid("air.polytropic_index", heat.check())?;
+            heat
+        }
         (None, None) => Heat::Isothermal,
         (Some(text), None) => heat(text.trim()).ok_or_else(|| {
             source.error(

@@ -47,6 +47,26 @@ fn the_file_of_the_contract_is_read() {
     assert_eq!((drive.until_s, drive.output_step_s), (5.0, 0.005));
 }
 
+/// n lies between isothermal and adiabatic, and the key that does not is named with its line.
+#[test]
+fn a_polytropic_index_outside_of_1_to_the_heat_ratio_is_refused_by_its_key() {
+    let read = |n: f64| {
+        parse_drive(
+            &format!("{HEAD}[air]\npolytropic_index = {n}\n{TAIL}"),
+            &Tables::default(),
+        )
+    };
+    assert!(read(1.2).is_ok());
+    for wrong in [0.9, 1.6] {
+        let said = read(wrong).err().unwrap().to_string();
+        assert!(
+            said.starts_with("line 5") && said.contains("from 1 to 1.4"),
+            "{said}"
+        );
+        assert!(said.contains("air.polytropic_index"), "{said}");
+    }
+}
+
 #[test]
 fn liquids_have_valves_pumps_and_syringes() {
     let read = |text: &str| {
