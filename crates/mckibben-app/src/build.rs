@@ -356,7 +356,7 @@ fn pull_at(evaluation: &mut Evaluation<'_>, pressure_mpa: f64, contraction: f64)
 /// What is expected at the points of the first test, on their branches.
 fn expected(plan: &Plan) -> Result<Vec<PullAt>> {
     let choice = ModelFields::default().choose()?;
-    let model = choice.bound(&plan.muscle)?;
+    let model = choice.build(&plan.muscle)?;
     let one = |point: &TestPoint| {
         cancel::check()?;
         let options = Options {
@@ -377,7 +377,7 @@ fn operating(
     given_mpa: Option<f64>,
 ) -> Result<(Operating, Burst)> {
     let choice = ModelFields::default().choose()?;
-    let model = choice.bound(muscle)?;
+    let model = choice.build(muscle)?;
     let model = &*model;
     let mut workspace = Workspace::new();
     let in_use = AskFields::default().options(muscle)?;

@@ -273,7 +273,7 @@ impl Held<'_> {
         model: &Model,
         reference: Option<&[MeasuredPoint]>,
     ) -> Result<(Compared, Vec<MeasuredPoint>)> {
-        let model = model.bound(self.muscle)?;
+        let model = model.build(self.muscle)?;
         let mut workspace = Workspace::new();
         let mut evaluation = Evaluation::new(&*model, &mut workspace, self.options);
         let points = match reference {

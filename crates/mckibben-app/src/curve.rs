@@ -521,7 +521,6 @@ pub fn study(request: &StudyRequest) -> Result<StudyAnswer> {
     let base = m.resolve()?;
     let options = asking.options(&base)?;
     let model = model.choose()?;
-    model.admit(&base)?;
     let study = thickness(&base, options, |m| model.build(m))?;
     let figure = request.figure.as_ref().map(|unit| {
         let MuscleSummary {

@@ -148,7 +148,7 @@ impl ExportFields {
     fn supplied(&self, choice: &Model, muscles: &[&Muscle]) -> Result<Supplied> {
         let models = muscles
             .iter()
-            .map(|muscle| choice.bound(muscle))
+            .map(|muscle| choice.build(muscle))
             .collect::<Result<Vec<_>, _>>()?;
         let bursts = models
             .iter()

@@ -225,7 +225,7 @@ impl FitRequest {
     /// A formula does not take the name of a model.
     fn check_name(&self) -> Result<()> {
         let why = match self.name.as_deref() {
-            Some(n) if Model::is_taken(n) || n.trim().is_empty() => {
+            Some(n) if n.parse::<Model>().is_ok() || n.trim().is_empty() => {
                 format!("\"{n}\" is already the name of a model")
             }
             Some(n) if n.contains(char::is_control) => {

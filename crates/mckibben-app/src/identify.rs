@@ -199,7 +199,7 @@ impl From<&PointFit> for IdentifiedPoint {
 
 /// The job of a muscle with the pressure that the muscle as it was found takes.
 fn job_of(job: &Job, found: &Muscle, choice: &Model) -> Result<Job> {
-    let model = choice.bound(found)?;
+    let model = choice.build(found)?;
     let allowed = burst_of(choice, &*model)?.allowed();
     let found = found.clone().with_job(job.clone());
     let options = AskFields::default().options(&found)?;
@@ -293,7 +293,6 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         two_sided: request.two_sided,
         history: request.branches == Branches::History,
     };
-    model.admit(&muscle)?;
     let mut identified = mckibben_fit::identify::identify(&input)?;
     // Identified constants hold for the stretches of the points; those that were kept for those of
     // their data.

@@ -193,7 +193,7 @@ pub fn models_of(joint: &Joint, choice: &Model) -> Result<Vec<Arc<dyn ForceModel
     joint
         .muscles()
         .iter()
-        .map(|m| Ok(choice.bound(&m.muscle)?.into()))
+        .map(|m| Ok(choice.build(&m.muscle)?.into()))
         .collect()
 }
 

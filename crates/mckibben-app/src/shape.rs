@@ -74,7 +74,6 @@ pub struct ShapeAnswer {
 pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer> {
     let muscle = request.muscle.resolve()?;
     let model = request.mesh.model("fe")?;
-    model.admit(&muscle)?;
     let Model::Elements(Elements::Axisymmetric(mesh)) = &model else {
         return Err(ProblemKind::Model.problem("the shape is always computed by `fe`"));
     };
@@ -89,7 +88,7 @@ pub fn shape(request: &ShapeRequest) -> Result<ShapeAnswer> {
     let workspace = &mut Workspace::new();
     let (mut point, shape_contraction, section) =
         point_and_shape((&fe, &muscle), workspace, pressure_mpa, request)?;
-    let burst = burst_of(&model, &*model.bound(&muscle)?)?;
+    let burst = burst_of(&model, &*model.build(&muscle)?)?;
     Warning::put_first(&mut point.warnings, burst.warnings(pressure_mpa));
     let stations = Stations::from_section(&section);
     let count = stations.nodes.first().map_or(0, |(_, list)| list.len()) / stations.across.max(1);

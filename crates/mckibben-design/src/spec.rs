@@ -14,7 +14,10 @@ use mckibben_core::{
     liquid::LiquidSupply,
     muscle::{Braid, Direction, EndsMade, Muscle, MuscleError, Rubber},
     sleeve::{self, SleeveEntry},
-    units::{Values, tidy},
+    units::{
+        Values, tidy,
+        typed::{Pressure, Ratio},
+    },
 };
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -202,14 +205,14 @@ impl Spec {
         }
     }
 
-    /// A pull in N at a contraction with a supply in MPa, and the rest as of [`Spec::new`].
-    pub fn pull(force_n: f64, contraction: f64, max_pressure_mpa: f64) -> Self {
+    /// A pull in N at a contraction with a supply, and the rest as of [`Spec::new`].
+    pub fn pull(force_n: f64, contraction: Ratio, most: Pressure) -> Self {
         Self::new(
             vec![OperatingPoint {
                 force_n,
-                contraction,
+                contraction: contraction.0,
             }],
-            max_pressure_mpa,
+            most.0,
         )
     }
 
@@ -266,6 +269,7 @@ impl Spec {
 
     /// How its models are evaluated: with the friction that is stated or estimated, on the branch
     /// that is wanted.
+    #[doc(hidden)]
     pub fn options(&self) -> Options {
         let friction_share = if self.wanted.extends() {
             0.0
@@ -316,7 +320,7 @@ impl Spec {
         if braids == 0 {
             return refused(
                 "braid",
-                "the list of braids is empty: give one angle or sleeve at least",
+                "the list of braids is empty: give one angle or sleeve",
             );
         }
         let axes = [
@@ -355,8 +359,11 @@ impl Spec {
             ("top", one(self.top as f64)),
             ("count", one(f64::from(self.count))),
         ];
-        let limits = self.limits.positive();
-        numbers.extend(limits.map(|(name, value)| (name, value.and_then(one))));
+        numbers.extend(
+            self.limits
+                .positive()
+                .map(|(name, value)| (name, value.and_then(one))),
+        );
         for (name, bounds) in numbers {
             let sound = |(low, high): (f64, f64)| low > 0.0 && low <= high && high.is_finite();
             if let Some((low, high)) = bounds.filter(|ends| !sound(*ends)) {
@@ -378,18 +385,16 @@ impl Spec {
                 format!("`count` is {count}; it must be at most {MOST}"),
             );
         }
-        let limits = &self.limits;
-        let factors = [
-            ("min_burst_margin", limits.burst_margin, LEAST_SAFETY),
-            ("min_tube_margin", limits.tube_margin, PROVED),
-        ];
-        for (name, factor, least) in factors {
+        for (name, factor, least) in [
+            ("min_burst_margin", self.limits.burst_margin, LEAST_SAFETY),
+            ("min_tube_margin", self.limits.tube_margin, PROVED),
+        ] {
             if let Some(factor) = factor.filter(|factor| *factor < least) {
                 return refused(
                     name,
                     format!(
                         "`{name}` is {factor}; give {least} or more, so that the muscle can be tested \
-                     above the pressure that is set, or 0 to leave failures out"
+                     above the set pressure, or 0 to leave failures out"
                     ),
                 );
             }
@@ -412,8 +417,10 @@ impl Spec {
         if self.wanted.extends() {
             return Ok(());
         }
-        let joint = self.wanted.joint();
-        let least_mm = joint.map_or(0.0, |joint| joint.radii_mm.bounds().0);
+        let least_mm = self
+            .wanted
+            .joint()
+            .map_or(0.0, |joint| joint.radii_mm.bounds().0);
         let points = self.wanted.points(length_mm, least_mm);
         let required = peak(points.iter().map(|q| q.contraction));
         let least_deg = self.least_angle_deg();
@@ -436,8 +443,13 @@ impl Spec {
             BraidChoice::StrandLengthPerTurn(_) => 0.0,
             BraidChoice::Sleeves(list) => {
                 let on = |braid: &Braid, tube: &TubePart| {
-                    let braid = braid.clone().on_diameter(tube.outer_diameter_mm).ok()?;
-                    Some(braid.angle_deg)
+                    Some(
+                        braid
+                            .clone()
+                            .on_diameter(tube.outer_diameter_mm)
+                            .ok()?
+                            .angle_deg,
+                    )
                 };
                 let tubes = &self.tubes;
                 let angles = list

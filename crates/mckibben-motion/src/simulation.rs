@@ -188,16 +188,30 @@ impl Simulation {
     /// Where it is: what was recorded last.
     pub fn state(&self) -> SimulationState {
         let series = &self.motion.series;
-        let last = |list: &[f64]| list.last().copied().unwrap_or_default();
-        let muscles = || series.muscles.iter();
+        let muscles = || 0..series.muscles.len();
         SimulationState {
             time_s: self.time_s(),
             coordinate: last(&series.coordinate),
             velocity: last(&series.velocity),
-            pressure_mpa: muscles().map(|m| last(&m.pressure_mpa)).collect(),
-            contraction: muscles().map(|m| last(&m.contraction)).collect(),
-            force_n: muscles().map(|m| last(&m.force_n)).collect(),
+            pressure_mpa: muscles().map(|m| self.pressure_mpa(m)).collect(),
+            contraction: muscles().map(|m| self.contraction(m)).collect(),
+            force_n: muscles().map(|m| self.force_n(m)).collect(),
         }
+    }
+
+    /// Gauge pressure in a muscle in MPa, of that state; muscles are counted from 0.
+    pub fn pressure_mpa(&self, muscle: usize) -> f64 {
+        last(&self.motion.series.muscles[muscle].pressure_mpa)
+    }
+
+    /// Contraction of a muscle, of that state.
+    pub fn contraction(&self, muscle: usize) -> f64 {
+        last(&self.motion.series.muscles[muscle].contraction)
+    }
+
+    /// Pull of a muscle in N, with friction and viscoelasticity, of that state.
+    pub fn force_n(&self, muscle: usize) -> f64 {
+        last(&self.motion.series.muscles[muscle].force_n)
     }
 
     /// What was recorded at the start and the end of each step.
@@ -354,6 +368,10 @@ impl Simulation {
         rest.is_empty()
             .then_some((done as usize, state, modes, memories))
     }
+}
+
+fn last(list: &[f64]) -> f64 {
+    list.last().copied().unwrap_or_default()
 }
 
 impl Commanded {

@@ -100,15 +100,11 @@ pub fn parse_values(text: &str, dimension: Dimension) -> Result<Values, RangeErr
                 .collect(),
         )
     };
-    let (low, high) = parsed.bounds();
-    if !(low.is_finite() && high.is_finite()) {
+    let all = parsed.sampled(1);
+    if !all.iter().all(|value| value.is_finite()) {
         return Err(QuantityError::not_finite(&shortened(text), dimension).into());
     }
-    let sound = match &parsed {
-        Values::List(list) => list.iter().copied().all(plausible),
-        Values::Interval(low, high) => plausible(*low) && plausible(*high),
-    };
-    if sound {
+    if all.into_iter().all(plausible) {
         Ok(parsed)
     } else {
         Err(QuantityError::beyond(&shortened(text), dimension).into())

@@ -128,6 +128,18 @@ quantities! {
     Flow
 }
 
+impl Pressure {
+    /// Of a number in MPa.
+    pub const fn mpa(mpa: f64) -> Self {
+        Self(mpa)
+    }
+
+    /// Of a number in bar.
+    pub const fn bar(bar: f64) -> Self {
+        Self(bar / 10.0)
+    }
+}
+
 fn number_schema(dimension: Dimension) -> Schema {
     let mut schema = json_schema!({ "type": "number", "x-quantity": dimension });
     let unit = dimension.unit_inside().name;
@@ -194,29 +206,23 @@ pub fn text_or_number<'de, T, D: Deserializer<'de>>(
 }
 
 /// Reads a quantity into a number in the unit inside.
-pub fn read_quantity<'de, Q, D>(from: D) -> Result<f64, D::Error>
-where
-    Q: Deserialize<'de> + Into<f64>,
-    D: Deserializer<'de>,
-{
+pub fn read_quantity<'de, Q: Deserialize<'de> + Into<f64>, D: Deserializer<'de>>(
+    from: D,
+) -> Result<f64, D::Error> {
     Q::deserialize(from).map(Into::into)
 }
 
 /// Reads two quantities.
-pub fn pair<'de, Q, D>(from: D) -> Result<(f64, f64), D::Error>
-where
-    Q: Deserialize<'de> + Into<f64>,
-    D: Deserializer<'de>,
-{
+pub fn pair<'de, Q: Deserialize<'de> + Into<f64>, D: Deserializer<'de>>(
+    from: D,
+) -> Result<(f64, f64), D::Error> {
     <(Q, Q)>::deserialize(from).map(|(first, second)| (first.into(), second.into()))
 }
 
 /// Reads a list of quantities.
-pub fn several<'de, Q, D>(from: D) -> Result<Vec<f64>, D::Error>
-where
-    Q: Deserialize<'de> + Into<f64>,
-    D: Deserializer<'de>,
-{
+pub fn several<'de, Q: Deserialize<'de> + Into<f64>, D: Deserializer<'de>>(
+    from: D,
+) -> Result<Vec<f64>, D::Error> {
     Vec::<Q>::deserialize(from).map(|list| list.into_iter().map(Into::into).collect())
 }
 
@@ -258,7 +264,7 @@ impl<Q: Quantity> FromStr for List<Q> {
 
 impl<'de, Q: Quantity + Deserialize<'de>> Deserialize<'de> for List<Q> {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        Ok(match from.deserialize_any(Searched(PhantomData::<Q>))? {
+        Ok(match Choice::<Q>::deserialize(from)? {
             Choice::One(one) => vec![one.into()],
             Choice::Several(list) => list.into_iter().map(Into::into).collect(),
             Choice::Between { low, high } => {

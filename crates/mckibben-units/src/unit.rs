@@ -82,6 +82,7 @@ fn plain(name: &str) -> String {
     name.chars().filter(|c| *c != '^').map(letter).collect()
 }
 
+#[doc(hidden)]
 impl Dimension {
     /// The unit of a spelling: exact first, then without regard to case where that leaves one
     /// meaning (`mPa` and `MN` would not, and are refused).

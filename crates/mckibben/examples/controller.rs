@@ -2,34 +2,24 @@
 //!
 //! `cargo run --release -p mckibben --example controller`
 
-use mckibben::{
-    motion::{Actuated, Actuator, Command, Commanded, Drive, Simulation, SingleMuscle},
-    prelude::*,
-};
+use mckibben::prelude::*;
 use std::{error::Error, time::Instant};
 
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
-    let model = Model::UNIVERSAL.of(&Muscle::prototype())?.shared();
-    let load = SingleMuscle {
-        stops_mm: (0.0, 80.0),
-        damping_n_s_per_m: 500.0,
-        ..SingleMuscle::hanging(&*model, 10.0)
-    };
-    let regulator = Actuator::Regulator {
-        time_constant_s: 0.02,
-    };
-    let target = Commanded::Pressure(vec![Command::Constant(0.0)]);
-    let drive = Drive {
-        output_step_s: 1e-3,
-        ..Drive::new(load, vec![Actuated::new(model, regulator)], target, 1.0)
-    };
-
-    let mut simulation = Simulation::new(&drive)?;
+    let mut simulation = Model::UNIVERSAL
+        .of(&Muscle::prototype())?
+        .drive()
+        .hanging_kg(10.0)
+        .damping_n_s_per_m(500.0)
+        .stops_mm(0.0..=80.0)
+        .regulator(0.02)
+        .step_s(1e-3)
+        .build()?;
     let wanted = 0.12;
     let (mut pressure_mpa, mut longest) = (0.0, 0.0f64);
     while simulation.time_s() < 3.0 {
         // An integrator alone: 4 MPa/s for a contraction of 100 % that is missing.
-        let missing = wanted - simulation.state().contraction[0];
+        let missing = wanted - simulation.contraction(0);
         pressure_mpa = (pressure_mpa + 4.0 * missing * 1e-3f64).clamp(0.0, 0.6);
         let begun = Instant::now();
         simulation.step(&[pressure_mpa])?;
@@ -37,7 +27,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
         // A loop that runs for hours keeps its last point alone.
         simulation.forget();
     }
-    let reached = simulation.state().contraction[0];
+    let reached = simulation.contraction(0);
     println!(
         "{:.2} %, the longest step took {:.2} ms",
         100.0 * reached,

@@ -6,7 +6,9 @@ use mckibben::{design::Spec, prelude::*};
 use std::error::Error;
 
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
-    let spec = Spec::pull(300.0, 0.12, 0.4).length_mm(200.0).of_parts()?;
+    let spec = Spec::pull(300.0, Contraction(0.12), Pressure::bar(4.0))
+        .length_mm(200.0)
+        .of_parts()?;
     let found = mckibben::decide(&spec)?;
     let best = found.candidates.first().ok_or("nothing fits")?;
     println!(
@@ -23,7 +25,8 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let mut model = Model::FE
         .of(&best.muscle)?
         .on_branch(Direction::Contraction);
-    let built = model.answer(best.pressure_mpa, 0.12)?.built.ok_or("no ±")?;
+    let at = model.at(Pressure::mpa(best.pressure_mpa), Contraction(0.12))?;
+    let built = at.built.ok_or("no ±")?;
     assert!(built.predicted_n > 0.98 * 300.0, "{}", built.predicted_n);
     Ok(())
 }

@@ -30,7 +30,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
             branch: Some(Direction::Mean),
         })
     });
-    let found = Model::FE.identify(&muscle, &points)?;
+    let found = Model::FE.identify(&muscle).points(points).solve()?;
     for constant in &found.parameters {
         println!(
             "{} {:.4} ± {:.4} {}",

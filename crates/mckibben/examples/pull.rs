@@ -21,7 +21,7 @@ pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let muscle: Muscle = HOSE.parse()?;
     let mut model = Model::FE.of(&muscle)?;
 
-    let at = model.answer(0.3, 0.10)?;
+    let at = model.at(Pressure::bar(3.0), Contraction(0.10))?;
     let built = at.built.ok_or("no ± is known")?;
     println!(
         "{:.0} N by the model; as built {:.0} N ({:.0} to {:.0} N, 95 %)",

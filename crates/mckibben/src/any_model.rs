@@ -69,11 +69,6 @@ impl Model {
         all.collect()
     }
 
-    /// Whether a word is the name of a model already.
-    pub fn is_taken(name: &str) -> bool {
-        Self::all().iter().any(|entry| entry.name == name.trim())
-    }
-
     /// The model of a formula's file, by its text.
     ///
     /// # Errors
@@ -115,32 +110,11 @@ impl Model {
         }
     }
 
-    /// Refuses a mesh that would not fit into memory with this muscle.
-    ///
-    /// # Errors
-    /// [`ModelError::Elements`].
-    pub fn admit(&self, muscle: &Muscle) -> Result<(), ModelError> {
-        #[cfg(feature = "fem")]
-        if let Self::Elements(elements) = self {
-            elements.admit(muscle)?;
-        }
-        let _ = muscle;
-        Ok(())
-    }
-
-    /// A muscle that it admits, bound to it.
-    ///
-    /// # Errors
-    /// [`ModelError`] as those of [`Model::admit`] and [`Model::build`].
-    pub fn bound(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-        self.admit(muscle)?;
-        self.build(muscle)
-    }
-
     /// The model of a whole muscle, its ends included.
     ///
     /// # Errors
-    /// [`ModelError`] where the muscle does not state what the model needs.
+    /// [`ModelError`] where the muscle does not state what the model needs, or where a mesh would
+    /// not fit into memory.
     pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
         match self {
             #[cfg(feature = "fem")]
@@ -159,14 +133,11 @@ impl Model {
                 Ok(Box::new(Universal::between_ends(Arc::clone(formula), m)))
             }),
             #[cfg(feature = "fem")]
-            Self::Elements(elements) => Ok(elements.build(muscle)?),
+            Self::Elements(elements) => {
+                elements.admit(muscle)?;
+                Ok(elements.build(muscle)?)
+            }
         }
-    }
-}
-
-impl From<ModelKind> for Model {
-    fn from(kind: ModelKind) -> Self {
-        Self::ClosedForm(kind)
     }
 }
 

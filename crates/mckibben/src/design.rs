@@ -24,7 +24,7 @@ impl Deciding {
     pub fn usual(extends: bool) -> Self {
         // `universal` was not fitted for muscles that extend.
         let quick: (Model, ScreenedMuscles) = if extends {
-            (ModelKind::ThickWall.into(), |_| true)
+            (Model::ClosedForm(ModelKind::ThickWall), |_| true)
         } else {
             (Model::UNIVERSAL, near_the_box)
         };
@@ -36,7 +36,7 @@ impl Deciding {
 
     /// Does something with the models of a search.
     pub fn with_models<T>(&self, work: impl FnOnce(Models<'_>) -> T) -> T {
-        let decide = |m: &Muscle| self.model.bound(m);
+        let decide = |m: &Muscle| self.model.build(m);
         let look = |m: &Muscle| match &self.quick {
             Some((quick, _)) => quick.build(m),
             None => decide(m),
@@ -61,10 +61,10 @@ impl Deciding {
 /// give. Of parts ([`Spec::of_parts`]) the answer is that of the command `design`.
 ///
 /// ```no_run
-/// use mckibben::design::Spec;
+/// use mckibben::{design::Spec, prelude::*};
 ///
-/// // 700 N at 15 % with at most 0.25 MPa, 200 mm between the terminals, of parts that one buys.
-/// let spec = Spec::pull(700.0, 0.15, 0.25).length_mm(200.0).of_parts()?;
+/// // 700 N at 15 % with at most 2.5 bar, 200 mm between the terminals, of parts that one buys.
+/// let spec = Spec::pull(700.0, Contraction(0.15), Pressure::bar(2.5)).length_mm(200.0).of_parts()?;
 /// let found = mckibben::decide(&spec)?;
 /// for one in &found.candidates {
 ///     println!("{:.1} mm at {:.3} MPa", one.muscle.outer_diameter_mm(), one.pressure_mpa);

@@ -40,6 +40,8 @@
 mod any_model;
 #[cfg(feature = "design")]
 pub mod design;
+#[cfg(feature = "motion")]
+mod drive;
 #[cfg(feature = "fit")]
 pub mod fit;
 mod joint_model;
@@ -51,9 +53,7 @@ pub use any_model::Model;
 pub use design::{Deciding, decide};
 pub use joint_model::JointModel;
 pub use mckibben_core::{
-    analysis::{
-        Allowed, AnalysisError, Burst, FailureMode, FailurePressure, NoBurst, Options, Safety,
-    },
+    analysis::{Allowed, AnalysisError, Burst, FailureMode, FailurePressure, NoBurst, Safety},
     answer::Answer,
     built::{Built, BuiltShift},
     cancel::Cancelled,
@@ -75,12 +75,15 @@ pub use mckibben_core::{
         Biaxial, Bulk, Conditioned, Constant, InvariantDerivatives, InvariantLaw, Law,
         LawConstants, LawFault, Principal, Rubber, RubberLaw, check_law,
     },
-    units::{Dimension, QuantityError, Unit, Values},
+    units::{
+        Dimension, QuantityError, Values,
+        typed::{Pressure, Ratio as Contraction},
+    },
     warning::{Warning, WarningKind},
 };
-#[cfg(feature = "motion")]
-pub use mckibben_motion as motion;
 pub use muscle_model::MuscleModel;
+#[cfg(feature = "motion")]
+pub use {drive::DriveBuilder, mckibben_motion as motion};
 
 /// Code for controllers and simulators.
 #[cfg(feature = "export")]

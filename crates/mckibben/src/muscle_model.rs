@@ -1,6 +1,6 @@
 //! A muscle with a model of it, and the memory in which the model works.
 
-use crate::Model;
+use crate::{Contraction, Model, Pressure};
 use mckibben_core::{
     analysis::{AnalysisError, Burst, Evaluation, NoBurst, burst},
     answer::{Answer, Options},
@@ -29,7 +29,7 @@ use std::{
 ///
 /// let muscle: Muscle = "[tube]\nouter_diameter = '40 mm'\nwall_thickness = '2 mm'".parse()?;
 /// let mut model = Model::FE.of(&muscle)?;
-/// let at = model.answer(0.25, 0.10)?;
+/// let at = model.at(Pressure::mpa(0.25), Contraction(0.10))?;
 /// // The model's pull, and what a muscle that is built will pull.
 /// let built = at.built.ok_or("no ± is known")?;
 /// assert!(built.predicted_low_n < at.response.force_n);
@@ -65,12 +65,11 @@ impl Model {
     /// This model of a muscle.
     ///
     /// # Errors
-    /// [`ModelError`] where the muscle does not state what the model needs, or where a mesh would
-    /// not fit into memory.
+    /// As those of [`Model::build`].
     pub fn of(&self, muscle: &Muscle) -> Result<MuscleModel, ModelError> {
         Ok(MuscleModel {
             choice: Some(self.clone()),
-            ..MuscleModel::new(self.bound(muscle)?)
+            ..MuscleModel::new(self.build(muscle)?)
         })
     }
 }
@@ -130,7 +129,7 @@ impl MuscleModel {
     }
 
     /// How questions are answered.
-    pub fn options(&self) -> Options {
+    pub(crate) fn options(&self) -> Options {
         self.options
     }
 
@@ -165,13 +164,18 @@ impl MuscleModel {
     }
 
     /// Everything that is known of a point: pull, what a muscle that is built pulls with its ±,
-    /// volume, stiffness, start pressure, warnings.
+    /// volume, stiffness, start pressure, warnings. Its values cannot be swapped.
     ///
     /// # Errors
     /// As those of [`force_n`](Self::force_n).
-    pub fn answer(&mut self, pressure_mpa: f64, contraction: f64) -> Result<Answer, ModelError> {
-        let answer = self.evaluation().answer(pressure_mpa, contraction)?;
-        Ok(self.warned(answer))
+    pub fn at(
+        &mut self,
+        pressure: Pressure,
+        contraction: Contraction,
+    ) -> Result<Answer, ModelError> {
+        let mut answer = self.evaluation().answer(pressure.0, contraction.0)?;
+        Warning::put_first(&mut answer.warnings, self.burst().warnings(pressure.0));
+        Ok(answer)
     }
 
     /// P(F, ε) in MPa: the lowest pressure above the start pressure at which it pulls so much.
@@ -181,15 +185,6 @@ impl MuscleModel {
     pub fn pressure_mpa(&mut self, force_n: f64, contraction: f64) -> Analysed<f64> {
         let pressure_mpa = self.evaluation().sought_pressure(force_n, contraction)?;
         Ok(self.below_burst(pressure_mpa)?)
-    }
-
-    /// The same with everything that is known there.
-    ///
-    /// # Errors
-    /// As those of [`pressure_mpa`](Self::pressure_mpa).
-    pub fn pressure(&mut self, force_n: f64, contraction: f64) -> Analysed<Answer> {
-        let answer = self.evaluation().pressure(force_n, contraction)?;
-        Ok(self.warned(answer))
     }
 
     /// ε(F, P): the contraction at which a pressure gives a pull.
@@ -233,14 +228,5 @@ impl MuscleModel {
             }
             _ => Ok(pressure_mpa),
         }
-    }
-
-    /// An answer with what is said of its pressure before all other warnings.
-    fn warned(&self, mut answer: Answer) -> Answer {
-        Warning::put_first(
-            &mut answer.warnings,
-            self.burst().warnings(answer.response.pressure_mpa),
-        );
-        answer
     }
 }

@@ -52,7 +52,8 @@ fn a_muscle_answers_finite_numbers_or_why_not() {
             for (a, b) in pairs((0.2, 0.1)) {
                 let at = (name, a, b);
                 sound("force", at, m.force_n(a, b));
-                sound("answer", at, m.answer(a, b).map(|a| a.response.force_n));
+                let answer = m.at(Pressure(a), Contraction(b));
+                sound("answer", at, answer.map(|a| a.response.force_n));
                 sound(
                     "slope",
                     at,
@@ -195,7 +196,7 @@ fn muscles_and_rubbers_are_sound_or_refused() {
 
 #[test]
 fn specifications_and_data_that_are_none_are_refused() {
-    let sound_spec = || Spec::pull(300.0, 0.1, 0.3).length_mm(200.0);
+    let sound_spec = || Spec::pull(300.0, Contraction(0.1), Pressure(0.3)).length_mm(200.0);
     let decided = |spec: &Spec| mckibben::decide(spec);
     assert!(
         decided(&Spec {
@@ -214,14 +215,20 @@ fn specifications_and_data_that_are_none_are_refused() {
         .is_err()
     );
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.0, -1.0] {
-        assert!(decided(&Spec::pull(300.0, 0.1, bad)).is_err(), "{bad}");
+        assert!(
+            decided(&Spec::pull(300.0, Contraction(0.1), Pressure(bad))).is_err(),
+            "{bad}"
+        );
         assert!(decided(&sound_spec().length_mm(bad)).is_err(), "{bad}");
         assert!(
             decided(&sound_spec().outer_diameter_mm(bad, 30.0)).is_err(),
             "{bad}"
         );
         if bad != 0.0 {
-            assert!(decided(&Spec::pull(bad, 0.1, 0.3)).is_err(), "{bad}");
+            assert!(
+                decided(&Spec::pull(bad, Contraction(0.1), Pressure(0.3))).is_err(),
+                "{bad}"
+            );
         }
     }
     let muscle = Muscle::prototype();
@@ -247,12 +254,14 @@ fn specifications_and_data_that_are_none_are_refused() {
             row(0.2, 0.1, bad),
         ] {
             let said = Model::FE
-                .identify(&muscle, &points)
+                .identify(&muscle)
+                .points(points)
+                .solve()
                 .unwrap_err()
                 .to_string();
             assert!(!said.contains("line 0"), "{said}");
         }
     }
-    let said = Model::FE.identify(&muscle, &[]).unwrap_err().to_string();
+    let said = Model::FE.identify(&muscle).solve().unwrap_err().to_string();
     assert!(said.contains("point"), "{said}");
 }

@@ -25,7 +25,12 @@ fn a_point_is_the_same_alone_in_a_list_and_in_an_answer() {
         for (pull, (p, e)) in m.forces_n(&points).into_iter().zip(points) {
             let pull = pull.unwrap();
             assert_eq!(m.clone().force_n(p, e).unwrap(), pull, "{p} {e}");
-            let answered = m.clone().answer(p, e).unwrap().response.force_n;
+            let answered = m
+                .clone()
+                .at(Pressure(p), Contraction(e))
+                .unwrap()
+                .response
+                .force_n;
             assert!((answered - pull).abs() <= 1e-9 * pull.max(1.0), "{p} {e}");
         }
     }
@@ -114,7 +119,7 @@ mod custom {
     #[test]
     fn a_law_of_ones_own_is_designed_with_and_identified() {
         let found = both().map(|base| {
-            let spec = Spec::pull(300.0, 0.1, 0.3).length_mm(200.0);
+            let spec = Spec::pull(300.0, Contraction(0.1), Pressure(0.3)).length_mm(200.0);
             let spec = spec.outer_diameter_mm(20.0, 40.0);
             mckibben::decide(&Spec {
                 base,
@@ -140,7 +145,14 @@ mod custom {
                 })
             })
             .collect();
-        let found = both().map(|m| Model::UNIVERSAL.identify(&m, &points).unwrap());
+        let found = both().map(|m| {
+            let points = points.clone();
+            Model::UNIVERSAL
+                .identify(&m)
+                .points(points)
+                .solve()
+                .unwrap()
+        });
         let [listed, own] = found.map(|found| found.rms_n);
         assert!(
             (own - listed).abs() < 1e-3 * (1.0 + listed),
@@ -169,7 +181,7 @@ fn identity_a_muscle_in_rust_has_the_facts_of_every_other_output() {
         let text = text.map_or_else(|| read(name), str::to_owned);
         let mut model = Model::FE.of(&text.parse().unwrap()).unwrap();
         let [p, e] = ["pressure_mpa", "contraction"].map(|key| fact(key).parse().unwrap());
-        let answer = model.answer(p, e).unwrap();
+        let answer = model.at(Pressure(p), Contraction(e)).unwrap();
         let built = answer.built.as_ref().unwrap();
         let burst = model.burst();
         let allowed = burst.allowed();

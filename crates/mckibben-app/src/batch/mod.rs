@@ -112,7 +112,7 @@ impl BoundModel {
     pub fn new(muscle: &Muscle, choice: Model, asking: AskFields) -> Result<Self> {
         Ok(Self {
             options: asking.options(muscle)?,
-            model: choice.bound(muscle)?,
+            model: choice.build(muscle)?,
             choice,
             quiet: OnceLock::new(),
         })
@@ -167,11 +167,11 @@ impl BoundModel {
             .min(measured_up_to_mpa(self.muscle()))
             .min(self.info().range.pressure_mpa.1);
         let choice = if self.is_elements() {
-            ModelKind::ThickWall.into()
+            Model::ClosedForm(ModelKind::ThickWall)
         } else {
             self.choice.clone()
         };
-        let model = choice.bound(self.muscle())?;
+        let model = choice.build(self.muscle())?;
         let workspace = &mut Workspace::new();
         let mut is_quiet = |p: f64, e: f64| {
             let answer = Evaluation::new(&*model, workspace, self.options).point(p, e);

@@ -217,13 +217,7 @@ impl BoundModel {
         if places.iter().all(|v| v.is_finite()) {
             return Ok(());
         }
-        Err(GradientError::None {
-            model: self.info().name.to_string(),
-            by: "a requested quantity".into(),
-            pressure_mpa: p,
-            contraction: e,
-        }
-        .into())
+        Err(GradientError::none(&*self.model, "a requested quantity", (p, e)).into())
     }
 }
 

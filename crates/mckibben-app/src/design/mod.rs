@@ -42,7 +42,7 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     let search = request.search()?;
     let Search { spec, policy, .. } = &search;
     // A mesh that one muscle has no room for is no reason against each of them.
-    policy.model.bound(&spec.base)?;
+    policy.model.build(&spec.base)?;
     let found = policy.with_models(|models| design_with(spec, models, progress))?;
     let mut answer = search.answered(&found)?;
     if let Some(winner) = found.candidates.first() {
@@ -117,7 +117,7 @@ impl Search<'_> {
     fn words(&self, winner: &Candidate) -> Option<UncertaintyWords> {
         let half = |q: &CandidatePoint| q.uncertainty_n.unwrap_or_default();
         let response = &winner.points.iter().max_by_number(|q| half(q))?.response;
-        let model = self.policy.model.bound(&winner.muscle).ok()?;
+        let model = self.policy.model.build(&winner.muscle).ok()?;
         let workspace = &mut Workspace::new();
         let mut model = Evaluation::new(&*model, workspace, self.spec.options());
         let place = (response.pressure_mpa, response.contraction);
@@ -130,7 +130,7 @@ impl Search<'_> {
         let options = (self.spec.options(), self.request.model.name.is_some());
         let mut drawn = vec![];
         for c in found.candidates.iter().take(DRAWN) {
-            drawn.push((c, self.policy.model.bound(&c.muscle)?));
+            drawn.push((c, self.policy.model.build(&c.muscle)?));
         }
         let first = drawn.iter().take(1).flat_map(|(c, _)| &c.points);
         let point = |q: &CandidatePoint| OperatingPoint {

@@ -48,7 +48,7 @@ impl MotionRequest {
                 let missing = || Problem::missing("muscle", "the muscle file that the drive names");
                 let file = self.muscle.clone().ok_or_else(missing)?;
                 let muscle = MuscleFields::from_file(file).resolve()?;
-                (None, vec![choice.bound(&muscle)?.into()])
+                (None, vec![choice.build(&muscle)?.into()])
             }
             Subject::Joint(_) => {
                 let joint = self.joint.resolve()?;

@@ -191,7 +191,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
     let Model::Elements(elements) = &model else {
         return Err(no_elements(model.name()));
     };
-    model.admit(&muscle)?;
+    elements.admit(&muscle).map_err(ModelError::from)?;
     let ends = muscle.ends();
     let meshed =
         Meshed::new(elements, &muscle.between_ends()).map_err(|e| ProblemKind::Mesh.problem(e))?;
@@ -209,7 +209,7 @@ pub fn simulate(request: &SimulateRequest, progress: &dyn Progress) -> Result<Si
         Extent::Whole
     };
     let mut files = request.vtu.then(|| ShapeFiles::new(&summary));
-    let as_force = ModelFields::default().choose()?.bound(&muscle)?;
+    let as_force = ModelFields::default().choose()?.build(&muscle)?;
     let in_use = AskFields::default().options(&muscle)?;
     let own = &mut Workspace::new();
     let mut as_built = Evaluation::new(&*as_force, own, in_use);

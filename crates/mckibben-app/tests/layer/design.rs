@@ -283,7 +283,7 @@ fn identity_a_build_pulls_what_force_says_on_the_branch_of_its_job() {
 /// none that fits.
 #[test]
 fn identity_a_specification_of_parts_in_rust_is_that_of_the_command() {
-    use mckibben::{decide, design::Spec};
+    use mckibben::{Contraction, Pressure, decide, design::Spec};
     for (force_n, contraction, mpa, length_mm) in [
         (30.0, 0.12, 0.4, 200.0),
         (3000.0, 0.1, 0.6, 285.0),
@@ -294,7 +294,8 @@ fn identity_a_specification_of_parts_in_rust_is_that_of_the_command() {
             json!({"force_n": force_n, "contraction": contraction, "max_pressure_mpa": mpa,
                    "length_mm": length_mm}),
         );
-        let spec = Spec::pull(force_n, contraction, mpa).length_mm(length_mm);
+        let spec =
+            Spec::pull(force_n, Contraction(contraction), Pressure(mpa)).length_mm(length_mm);
         // The ends, which count in width and mass, are the command's.
         let mut spec = spec.of_parts().unwrap();
         spec.ends = Some(mckibben_app::design_ends);

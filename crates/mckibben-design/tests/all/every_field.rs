@@ -6,7 +6,10 @@ use mckibben_core::{
     load::Load,
     model::{ForceModel, Ideal, ModelError},
     muscle::Muscle,
-    units::Values,
+    units::{
+        Values,
+        typed::{Pressure, Ratio},
+    },
 };
 use mckibben_design::{
     BraidChoice, Build, Demand, JointDemand, OperatingPoint, Spec, TorqueWanted, design,
@@ -49,7 +52,7 @@ fn spec() -> Spec {
     Spec {
         outer_diameter_mm: Values::List(vec![20.0, 30.0]),
         wall_mm: Values::List(vec![2.0]),
-        ..Spec::pull(300.0, 0.1, 0.3).length_mm(200.0)
+        ..Spec::pull(300.0, Ratio(0.1), Pressure(0.3)).length_mm(200.0)
     }
 }
 

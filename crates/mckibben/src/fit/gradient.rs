@@ -53,6 +53,19 @@ pub enum GradientError {
     Muscle(#[from] MuscleError),
 }
 
+impl GradientError {
+    /// A model that has none by something at P in MPa and ε.
+    #[doc(hidden)]
+    pub fn none(model: &dyn ForceModel, by: &str, (pressure_mpa, contraction): (f64, f64)) -> Self {
+        Self::None {
+            model: model.info().name.to_string(),
+            by: by.to_owned(),
+            pressure_mpa,
+            contraction,
+        }
+    }
+}
+
 /// Step of differences in θ, relative. With fourth-order differences their error is below 1e-9 of
 /// the derivative.
 const STEP: f64 = 1e-3;
@@ -123,13 +136,9 @@ pub fn by_parameters(
     }
     let held = stated(muscle)?;
     let one = |(target, name): (&Target, &String)| {
-        let none = || GradientError::None {
-            model: model.info().name.to_string(),
-            by: name.clone(),
-            pressure_mpa: p,
-            contraction: e,
-        };
-        let (choice, value) = choice.zip(target.value(&held)).ok_or_else(none)?;
+        let (choice, value) = choice
+            .zip(target.value(&held))
+            .ok_or_else(|| GradientError::none(model, name, (p, e)))?;
         let scale = match target {
             Target::Law(_) => muscle.tube().rubber.law.shear_modulus_mpa(),
             _ => 1.0,
@@ -196,12 +205,11 @@ impl MuscleModel {
         let values = [by_pressure_mm2, by_contraction_n];
         let mut all = named.zip(values.iter().chain(&gradient.by_parameters));
         match all.find(|(_, value)| !value.is_finite()) {
-            Some((by, _)) => Err(GradientError::None {
-                model: model.info().name.to_string(),
-                by: (*by).to_owned(),
-                pressure_mpa,
-                contraction,
-            }),
+            Some((by, _)) => Err(GradientError::none(
+                &*model,
+                by,
+                (pressure_mpa, contraction),
+            )),
             None => Ok(gradient),
         }
     }

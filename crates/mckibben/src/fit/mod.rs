@@ -4,10 +4,8 @@ mod gradient;
 mod identify;
 
 pub use gradient::{Gradient, GradientError, by_parameters, by_point, with_parameters};
+pub use identify::Identify;
 pub use mckibben_fit::{
-    identify::{
-        Identification, IdentificationRequest, Identified, IdentifyError, ParameterError, PointFit,
-        Target, identify,
-    },
+    identify::{Identification, Identified, IdentifyError, ParameterError, PointFit, Target},
     measured::{DataPoint, MeasuredPoint, Quantity},
 };
