@@ -191,7 +191,7 @@ fn known_constants_come_back_from_exact_points() {
         (
             with(&END_FACTOR, 1.15),
             0.0,
-            vec![("end-factor=1.0", 1.15), ("mu=0.4", 0.3)],
+            vec![("end_factor=1.0", 1.15), ("mu=0.4", 0.3)],
         ),
         (
             with(&PRESTRETCH, 1.15),
