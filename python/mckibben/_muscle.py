@@ -269,7 +269,6 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
                 row.pop(name, None)
         made = _api.Solution._read(
             {
-                **dict.fromkeys(usual, ()),
                 **of_rows([{**usual, **row} for row in rows]),
                 "pressure_mpa": p,
                 "contraction": e,
@@ -277,8 +276,9 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
                 "warnings": texts,
             }
         )
-        if p.ndim and not isinstance(labelled("", p), np.ndarray):
-            made.__dict__["_labels"] = labelled
+        own = labelled("pressure_mpa", p)
+        if not isinstance(own, (float, np.ndarray)):
+            made.__dict__["_labelled"] = own
         return made
 
     def bounds(self, **options: Unpack[_api.Options]) -> list[tuple[float, float]]:

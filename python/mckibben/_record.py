@@ -8,7 +8,6 @@ import re
 import sys
 from collections.abc import Mapping, Sequence
 from functools import cache
-from keyword import iskeyword
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from . import _native
@@ -35,14 +34,9 @@ else:
 
 # Okabe and Ito without the yellow; dashes go with the number, so that lines stay apart in print.
 _COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"]
-_DASHES = ["-", "--", "-.", ":"]
-_STYLES = {
-    "line": "-",
-    "dashed": "--",
-    "dotted": ":",
-    "dash-dot": "-.",
-    "points": "none",
-}
+_DASHES = ["solid", "dashed", "dashdot", "dotted"]
+# Styles that matplotlib calls otherwise.
+_STYLES = {"line": "solid", "dash-dot": "dashdot", "points": "none"}
 # From dark violet over blue and green to ochre.
 _RAMP = ["#440154", "#3b528b", "#21918c", "#5ea146", "#be8c14"]
 
@@ -65,11 +59,9 @@ class Record(Fixed):
     @classmethod
     def _read(cls, data: Mapping[str, Any], asked: Any = None) -> Self:
         """The answer of JSON, and of which question it is."""
-        made, kinds = cls(**{"_asked": asked}), cls._nested()
-        for name, value in data.items():
-            field = name + "_" * iskeyword(name)
-            made.__dict__[field] = _wrapped(kinds.get(name), value)
-        return made
+        kinds = cls._nested()
+        held = {name: _wrapped(kinds.get(name), value) for name, value in data.items()}
+        return object.__new__(cls)._hold(_asked=asked, **held)
 
     @classmethod
     @cache
@@ -77,7 +69,7 @@ class Record(Fixed):
         """The records that its fields hold, by the names in their annotations."""
         there = vars(sys.modules[cls.__module__])
         return {
-            name.rstrip("_"): there[word]
+            name: there[word]
             for name, kind in cls.__annotations__.items()
             for word in re.findall(r"\b[A-Z]\w+", kind)
             if isinstance(there.get(word), type) and issubclass(there[word], Record)
@@ -93,19 +85,17 @@ class Record(Fixed):
 
     def to_dict(self) -> dict[str, Any]:
         """Plain dicts and lists, as the JSON of the command line."""
-        fields = self._fields().items()
-        return {name.rstrip("_"): _unwrapped(value) for name, value in fields}
+        text = json.dumps(self._fields(), default=Record._fields)
+        return dict(json.loads(text))
 
     def to_columns(self) -> dict[str, Any]:
         """The columns of its table: NumPy arrays of numbers, lists of texts. ``polars.DataFrame`` and ``pyarrow.table`` take them."""
         if self._rows is None:
             raise TypeError(f"{type(self).__name__} holds no table")
-        lists = (self.__dict__.get(name) for name in self._rows.split())
-        held: Any = next(filter(None, lists), [])
+        held = next(filter(None, map(self.to_dict().get, self._rows.split())), [])
         if isinstance(held, list):
-            return of_rows(_unwrapped(held))
-        lines = held._fields().items()
-        return {name: column(line) for name, line in lines if isinstance(line, list)}
+            return of_rows(held)
+        return {n: column(line) for n, line in held.items() if isinstance(line, list)}
 
     def __getitem__(self, name: str, /) -> Any:
         return self.to_columns()[name]
@@ -173,17 +163,9 @@ def _wrapped(kind: type[Record] | None, value: Any) -> Any:
     if isinstance(value, list):
         return [_wrapped(kind, item) for item in value]
     # A map of names to records is no record itself.
-    if value and not {n.rstrip("_") for n in kind.__annotations__} & set(value):
+    if value and not kind.__annotations__.keys() & value:
         return {name: _wrapped(kind, item) for name, item in value.items()}
     return kind._read(value)
-
-
-def _unwrapped(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {name: _unwrapped(item) for name, item in value.items()}
-    if isinstance(value, list):
-        return [_unwrapped(item) for item in value]
-    return value.to_dict() if isinstance(value, Record) else value
 
 
 def of_rows(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
@@ -197,26 +179,25 @@ def of_rows(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     return {name: column([row.get(name) for row in rows]) for name in names}
 
 
-def _series(axis: Any, series: Any, number: int, ramp: Any) -> None:
-    """One line, row of points, or band."""
-    colour = ramp(number) if ramp else _COLOURS[number % len(_COLOURS)]
+def _series(axis: Any, series: Any, colour: Any, dash: str) -> None:
+    """One line, row of points, or band; a dash is for lines whose style is left to choose."""
     if series.neutral:
-        colour = "#808080"
+        colour = "gray"
     # A text that the program writes at the end of a line is in the legend here.
     label = series.label or series.end_label
     x, y = np.array(series.points, np.float64).reshape(-1, 2).T
     if series.style == "band":
         axis.fill(x, y, color=colour, alpha=0.2, linewidth=0, label=label)
         return
-    line = _STYLES.get(series.style, "-" if ramp else _DASHES[number % len(_DASHES)])
-    dot = "o" if series.style == "points" else None
+    style = dash if series.style == "auto" else series.style
+    line, dot = _STYLES.get(style, style), "o" if style == "points" else None
     axis.plot(x, y, color=colour, ls=line, marker=dot, markersize=4, label=label)
 
 
 def drawn(figure: Any, ax: Any) -> Any:
     """The axes with the figure on them."""
     import matplotlib.pyplot as plt
-    from matplotlib.colors import LinearSegmentedColormap
+    from matplotlib.colors import LinearSegmentedColormap, ListedColormap
 
     panels = figure.panels
     is_one = len(panels) == 1
@@ -225,12 +206,8 @@ def drawn(figure: Any, ax: Any) -> Any:
         columns = min(figure.columns or 1, len(panels))
         rows = -(-len(panels) // columns)
         size = 6.4 * columns, 4.4 * rows
-        made, grid = plt.subplots(
-            rows, columns, squeeze=False, figsize=size, layout="constrained"
-        )
-        axes = list(grid.flat)
-        for spare in axes[len(panels) :]:
-            spare.remove()
+        made = plt.figure(figsize=size, layout="constrained")
+        axes = [made.add_subplot(rows, columns, i + 1) for i in range(len(panels))]
         made.suptitle("" if is_one else figure.title)
     if len(axes) < len(panels):
         raise ValueError(f"{len(panels)} panels need as many axes")
@@ -238,23 +215,27 @@ def drawn(figure: Any, ax: Any) -> Any:
         numbers = [
             i if s.colour is None else s.colour for i, s in enumerate(panel.series)
         ]
-        ramp = None
+        colours: Any = ListedColormap(_COLOURS)
+        dashes = _DASHES
         if figure.palette == "sequential":
-            ramp = LinearSegmentedColormap.from_list("", _RAMP, max(numbers) + 1)
+            colours = LinearSegmentedColormap.from_list("", _RAMP, max(numbers) + 1)
+            dashes = _DASHES[:1]
         for series, number in zip(panel.series, numbers):
-            _series(axis, series, number, ramp)
+            dash = dashes[number % len(dashes)]
+            _series(axis, series, colours(number % colours.N), dash)
         for mark in panel.marks:
             at = mark.x, mark.y
             axis.plot(*at, "ko", markerfacecolor="white", zorder=5)
             axis.annotate(mark.label, at, (6, 6), textcoords="offset points")
         axis.set_title(panel.title or (figure.title if is_one else ""))
-        for name, of in (("x", panel.x), ("y", panel.y)):
-            ends = of.range
-            if of.from_zero and not ends:
-                ends = [*getattr(axis, f"get_{name}lim")(), 0.0]
-            axis.set(**{f"{name}label": of.label})
+        axis.set(xlabel=panel.x.label, ylabel=panel.y.label)
+        for of, limits, limit in (
+            (panel.x, axis.get_xlim, axis.set_xlim),
+            (panel.y, axis.get_ylim, axis.set_ylim),
+        ):
+            ends = of.range or ([*limits(), 0.0] if of.from_zero else None)
             if ends:
-                axis.set(**{f"{name}lim": (min(ends), max(ends))})
+                limit(min(ends), max(ends))
         axis.grid(visible=True, alpha=0.3)
         if axis.get_legend_handles_labels()[1]:
             axis.legend(fontsize="small")
@@ -268,8 +249,8 @@ class Solution(Record):
     """
 
     _rows: ClassVar[str | None] = "force_n"
-    # What puts the labels of pressures and contractions on an array.
-    _labels: ClassVar[Any] = None
+    # Its pressures with the labels of the question, where that had some.
+    _labelled: ClassVar[Any] = None
     model: str
     warnings: list[str]
     slack: NDArray[np.bool_]
@@ -281,14 +262,14 @@ class Solution(Record):
     def _read(cls, data: Mapping[str, Any], asked: Any = None) -> Self:
         kinds: Any = {"slack": bool, "warned": np.int64, "status": str, "cause": object}
         shape = np.shape(data["pressure_mpa"])
-        made = cls(**{name: data[name] for name in ("model", "warnings")})
-        for name in dict.fromkeys([*cls.__annotations__, *data]):
-            if name not in made.__dict__:
-                values = data.get(name, np.nan)
+        held = {name: data[name] for name in ("model", "warnings")}
+        for name in dict.fromkeys([*cls.__annotations__, *data, *kinds]):
+            if name not in held:
+                values = data.get(name, [] if name in kinds else np.nan)
                 own = np.resize(np.array(values, kinds.get(name, np.float64)), shape)
                 own.flags.writeable = False
-                made.__dict__[name] = own
-        return made
+                held[name] = own
+        return object.__new__(cls)._hold(**held)
 
     def _arrays(self) -> dict[str, NDArray[Any]]:
         """The arrays that hold something; those of no points do."""
@@ -327,8 +308,8 @@ class Solution(Record):
         """The same as a ``pandas.DataFrame``, with the index of the Series that was asked."""
         import pandas as pd
 
-        own = self._labels("", self.slack) if self._labels else None
-        return pd.DataFrame(self.to_columns(), getattr(own, "index", None))
+        index = getattr(self._labelled, "index", None)
+        return pd.DataFrame(self.to_columns(), index)
 
     def to_xarray(self) -> xarray.Dataset:
         """A Dataset with the units as attributes. Where pressures and contractions span a grid, these are its dimensions."""
@@ -336,10 +317,11 @@ class Solution(Record):
 
         arrays = self._arrays()
         p, e = arrays["pressure_mpa"], arrays["contraction"]
-        whole: Any = xr.DataArray(self._labels("", p) if self._labels else p)
+        is_plain = self._labelled is None
+        whole: Any = xr.DataArray(p if is_plain else self._labelled)
         dims, coords = list(whole.dims), dict(whole.coords)
-        pairs = () if self._labels else (("pressure_mpa", p, e), ("contraction", e, p))
-        for name, own, other in pairs:
+        pairs = ("pressure_mpa", p, e), ("contraction", e, p)
+        for name, own, other in pairs if is_plain else ():
             axes = [axis for axis in range(p.ndim) if np.diff(own, axis=axis).any()]
             if len(axes) == 1 and not np.diff(other, axis=axes[0]).any():
                 dims[axes[0]] = name
@@ -467,9 +449,8 @@ class RubberFit(Record):
         name = law or self.recommended
         if name is None:
             raise NoAnswerError("no law is stable in a muscle", hint="name one")
-        found = next((of for of in self.laws if name in (of.name, of.law)), None)
-        if found is None:
-            raise KeyError(name)
+        # The first of a law's name, which may be fitted in several ways.
+        found = {key: of for of in self.laws[::-1] for key in (of.law, of.name)}[name]
         constants: dict[str, Any] = {p.name: p.value for p in found.parameters}
         if found.law == "ogden":
             # Its terms are in lists: mu1, mu2 are mu = […].
@@ -527,7 +508,7 @@ class Files(Record):
             for f in self.files
         }
         for path in contents:
-            Path(path).parent.mkdir(parents=True, exist_ok=True)
+            path.parent.mkdir(parents=True, exist_ok=True)
         put(contents, overwrite)
         return next(iter(contents))
 
