@@ -92,7 +92,7 @@ class Record(Fixed):
         """The columns of its table: NumPy arrays of numbers, lists of texts. ``polars.DataFrame`` and ``pyarrow.table`` take them."""
         if self._rows is None:
             raise TypeError(f"{type(self).__name__} holds no table")
-        held = next(filter(None, map(self.to_dict().get, self._rows.split())), [])
+        held: Any = next(filter(None, map(self.to_dict().get, self._rows.split())), [])
         if isinstance(held, list):
             return of_rows(held)
         return {n: column(line) for n, line in held.items() if isinstance(line, list)}

@@ -203,7 +203,7 @@ def array(name: str, value: Any) -> Array:
     given: Any = (np.asanyarray if np.ma.isMA(value) else np.asarray)(value)
     if given.dtype.kind not in "fiu":
         raise wrong_type(name, _NUMBERS, value)
-    out: Array = given.astype(np.float64, copy=not given.flags.aligned)
+    out: Array = np.require(given, np.float64, "A")
     highest = float(np.nanmax(np.ma.filled(out, 0.0), initial=0.0))
     if value is own and (said := _native.unlikely(name, highest)):
         warned(said)
@@ -335,10 +335,10 @@ def fields(given: Mapping[str, Any]) -> dict[str, Any]:
         if value is None:
             continue
         if name in TABLES:
-            items = value if isinstance(value, (list, tuple)) else [value]
-            # The program takes one for a list of one.
+            several = isinstance(value, (list, tuple))
             with blamed(name):
-                held = [table(item, name) for item in items]
+                held = [table(item, name) for item in (value if several else [value])]
+            # The program takes one for a list of one.
             out[name] = held[0] if len(held) == 1 else held
         elif name in CHOICES and isinstance(value, tuple) and len(value) == 2:
             out[name] = dict(zip(("low", "high"), plain(name, value)))
@@ -464,7 +464,5 @@ def to_csv(data: Any, field: str) -> str:
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(given)
     columns = (v if name in several else [v] * rows for name, v in given.items())
-    for row in zip(*columns):
-        words = (str(v).lower() if isinstance(v, bool) else v for v in row)
-        writer.writerow("" if v != v else v for v in words)
+    writer.writerows([None if v != v else v for v in row] for row in zip(*columns))
     return out.getvalue()
