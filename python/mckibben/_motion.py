@@ -66,11 +66,11 @@ def _table(of: str, given: Any) -> dict[str, Any]:
                 found = f"{found[0]!r}..{found[1]!r} {unit}"
             found = _stated(found, unit)
             # The unit is the shortest end of the name that is one by itself.
-            words = name.split("_")
-            for end in range(len(words) - 1, 0, -1):
-                if _native.unit_of("_".join(["x", *words[end:]])) == unit:
-                    name = "_".join(words[:end])
-                    break
+            stem, end = name, ""
+            while stem and _native.unit_of(end) != unit:
+                stem, _, word = stem.rpartition("_")
+                end = f"_{word}{end}"
+            name = stem or name
         out[name] = found
     return out
 
@@ -540,19 +540,9 @@ class Simulation:
             with blamed("drive"):
                 drive = Drive._of(_native.read(path("drive", drive), "drive"))
         asked = fields({**drive._held, **modelled(known(options, _api.Options))})
-        self._hold(asked, dt_s, checked("record", record, bool, np.bool_))
-
-    def _hold(
-        self,
-        request: dict[str, Any],
-        dt_s: float,
-        record: bool,
-        native: _native.Simulation | None = None,
-    ) -> Simulation:
-        self._made = request, dt_s, record
-        self._native = native or _native.Simulation(request, dt_s, record)
+        self._made = asked, dt_s, checked("record", record, bool, np.bool_)
+        self._native = _native.Simulation(*self._made)
         self._names = self._native.names
-        return self
 
     @property
     def dt_s(self) -> float:
@@ -637,13 +627,16 @@ class Simulation:
 
     def copy(self) -> Simulation:
         """Another one in the same state, which goes its own way and records from here on; it takes as long after many steps as after one."""
-        return object.__new__(Simulation)._hold(*self._made, self._native.copy())
+        made = object.__new__(Simulation)
+        made.__dict__.update(self.__dict__, _native=self._native.copy())
+        return made
 
-    def __getstate__(self) -> tuple[Any, ...]:
-        return self._made, self.get_state()
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_native": self.get_state().tolist()}
 
-    def __setstate__(self, held: tuple[Any, Any]) -> None:
-        self._hold(*held[0]).set_state(held[1])
+    def __setstate__(self, held: dict[str, Any]) -> None:
+        self.__dict__.update(held, _native=_native.Simulation(*held["_made"]))
+        self._native.restore(held["_native"])
 
     def to_columns(self) -> dict[str, Any]:
         """What was recorded as arrays: the start, and the end of each step."""

@@ -237,16 +237,13 @@ def arrays(
             return xr.DataArray(found, own.coords, dims, name, units)
 
         return [array(n, v.values) for (n, _), v in zip(given, values)], labelled
-    # An index of pandas has no index.
-    series = [
-        (name, value)
-        for name, value in given
-        if hasattr(value, "to_frame") and hasattr(value, "index")
-    ]
-    first: Any = series[0][1] if series else None
-    for name, value in series:
-        if not value.index.equals(first.index):
-            raise InputError("another index", field=name)
+    first: Any = None
+    for name, value in given:
+        # An index of pandas has no index.
+        if hasattr(value, "to_frame") and hasattr(value, "index"):
+            first = value if first is None else first
+            if not value.index.equals(first.index):
+                raise InputError("another index", field=name)
 
     def indexed(name: str, found: Any) -> Any:
         if not found.ndim:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from ._errors import InputError, MckibbenError
 from ._motion import Joint
 from ._muscle import MEASURES, filled
-from ._request import fields, is_nan, modelled, numpy as np
+from ._request import is_nan, numpy as np
 
 if TYPE_CHECKING:
     import jax
@@ -40,7 +40,6 @@ class _Asked:
     def __init__(self, muscle: Muscle, given: Mapping[str, Any]) -> None:
         self.options = options = dict(given)
         self.nan = is_nan(options.pop("errors", "raise"))
-        self.request = fields(modelled(options))
         # Which model it is, and whether there is one.
         self.has_second = not muscle._bound(options).is_elements
         # The axis that the derivatives of an order need: none, values and slopes, or second derivatives row by row.
@@ -122,14 +121,10 @@ class _OfMuscle(_Asked):
         # One that is a value itself follows no measure.
         chain = muscle._chain(self.names, own) if slopes else None
         muscle = muscle.with_parameters(own) if own else muscle
-        # Nothing is said of points: a sampler asks many. The model of the muscle itself is kept.
-        native = (
-            muscle._held.model({**self.request, **more})
-            if values
-            else muscle._bound({**self.options, **more})
-        )
+        # Nothing is said of points: a sampler asks many.
+        model = muscle._bound({**self.options, **more})
         pair = points[..., 0], points[..., 1]
-        return filled(native, self.wanted, chain, *pair, self.nan)[0]
+        return filled(model, self.wanted, chain, *pair, self.nan)[0]
 
     def second(self, points: Array, theta: Array) -> Array:
         out = super().second(points, theta)
