@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     import pandas
 
-    from ._request import FileLike, Progress
+    from ._request import FileLike, Json, Progress
 
 
 class Campaign(_api.CampaignCommands):
@@ -66,7 +66,7 @@ class Campaign(_api.CampaignCommands):
             else self.output
         )
 
-    def _files(self, command: str) -> dict[str, Any]:
+    def _files(self, command: str) -> Json:
         if command == "campaign-show":
             return {"campaign": self._table}
         return {"plan": self.plan, "output": self.output}
@@ -117,7 +117,7 @@ def _on(
         raise
 
 
-def _shard(request: dict[str, Any], stop: str) -> None:
+def _shard(request: Json, stop: str) -> None:
     """Computes a shard in a worker's process; the file `stop` ends it."""
 
     def look(_done: int, _total: int) -> None:

@@ -26,6 +26,7 @@ from ._request import (
     heard,
     is_nan,
     known,
+    listed,
     modelled,
     number,
     numpy as np,
@@ -39,7 +40,17 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
     from typing_extensions import Self, Unpack
 
-    from ._request import Array, Errors, Floats, Number, Numbers, Progress, TableLike
+    from ._request import (
+        Array,
+        Errors,
+        Floats,
+        Json,
+        Named,
+        Number,
+        Numbers,
+        Progress,
+        TableLike,
+    )
 
     # What a key of a joint or drive file may hold.
     Key = Number | Numbers | bool | Sequence[Sequence[Number]]
@@ -54,9 +65,9 @@ _COMMANDS = {
 }
 
 
-def _table(of: str, given: Any) -> dict[str, Any]:
+def _table(of: str, given: Any) -> Json:
     """A table of a file. A number carries its unit in the key, and in the file it is a text with that unit; a tuple of two is bounds, of pairs the first are times."""
-    out: dict[str, Any] = {}
+    out: Json = {}
     for name, value in checked(of, given, Mapping).items():
         if value is None:
             continue
@@ -85,7 +96,7 @@ def _stated(value: Any, unit: str) -> Any:
     return f"{value!r} {unit}" if type(value) in (int, float) else value
 
 
-def _tables(given: Mapping[str, Any]) -> dict[str, Any]:
+def _tables(given: Named) -> Json:
     """Tables by their names, which are those of a kind of file; a part of the library stands for its table."""
     return {
         n: _table(n, v) if not isinstance(v, str) else v if n == "name" else {"name": v}
@@ -107,23 +118,23 @@ class _File(Fixed):
     """A file and those that it names, each as name and text, as a request has them."""
 
     _kind: ClassVar[str]
-    _held: dict[str, Any]
+    _held: Json
 
     @classmethod
-    def _of(cls, held: dict[str, Any]) -> Self:
+    def _of(cls, held: Json) -> Self:
         return object.__new__(cls)._hold(_held=held)
 
     @classmethod
-    def _written(cls, given: Mapping[str, Any], **others: Any) -> dict[str, Any]:
+    def _written(cls, given: Named, **others: Any) -> Json:
         """Tables as the text of a file, which names its schema for editors, and other files."""
         tables = {n: value for n, value in given.items() if value not in (None, {})}
         text = f"#:schema {cls._kind}.schema.json\n\n{_native.toml_text(tables)}"
         return {cls._kind: {"name": cls._kind, "text": text}, **others}
 
-    def _files(self, command: str) -> dict[str, Any]:
+    def _files(self, command: str) -> Json:
         return self._held
 
-    def _tables(self) -> dict[str, Any]:
+    def _tables(self) -> Json:
         return _native.toml(self._kind, self.to_toml())
 
     def _beside(self) -> dict[str, str]:
@@ -155,8 +166,7 @@ class _File(Fixed):
         return type(self)._of, (self._held,)
 
     def __repr__(self) -> str:
-        held = (f"{name}={value!r}" for name, value in self._tables().items())
-        return screen(f"<{type(self).__name__}: {', '.join(held)}>")
+        return screen(f"<{type(self).__name__}: {listed(self._tables())}>")
 
 
 class Joint(_api.JointCommands, _File):
@@ -236,7 +246,7 @@ class Joint(_api.JointCommands, _File):
         angle_deg: Floats,
         slopes: bool,
         errors: str,
-        options: Mapping[str, Any],
+        options: Named,
     ) -> tuple[Any, Any, Callable[[str, Any], Any]]:
         """The torque, its derivatives by pressures and angle in rad, and what puts the labels on both."""
         native, muscles = self._parts
@@ -492,7 +502,7 @@ class Drive(_api.DriveCommands, _File):
         return Drive._of({**self._held, **_moved(of, self._held[of._kind]["name"])})
 
 
-def _moved(of: Muscle | Joint, name: str) -> dict[str, Any]:
+def _moved(of: Muscle | Joint, name: str) -> Json:
     """What a drive moves, under a name."""
     return {**of._files(""), of._kind: {"name": name, "text": of.to_toml()}}
 
@@ -631,10 +641,10 @@ class Simulation:
         made.__dict__.update(self.__dict__, _native=self._native.copy())
         return made
 
-    def __getstate__(self) -> dict[str, Any]:
+    def __getstate__(self) -> Json:
         return {**self.__dict__, "_native": self.get_state().tolist()}
 
-    def __setstate__(self, held: dict[str, Any]) -> None:
+    def __setstate__(self, held: Json) -> None:
         self.__dict__.update(held, _native=_native.Simulation(*held["_made"]))
         self._native.restore(held["_native"])
 

@@ -29,6 +29,7 @@ from ._request import (
     heard,
     is_nan,
     known,
+    listed,
     modelled,
     number,
     plain,
@@ -40,7 +41,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self, Unpack
 
     from ._parts import Formula, Rubber
-    from ._request import Array, Errors, Floats, Number, Progress
+    from ._request import Array, Errors, Floats, Json, Named, Number, Progress
 
 
 # Measures of a muscle, as :meth:`Muscle.replace` has them, by which there are derivatives.
@@ -82,7 +83,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     _held: _native.Muscle
     _models: dict[Any, _native.Model]
 
-    def _make(self, given: dict[str, Any]) -> Self:
+    def _make(self, given: Json) -> Self:
         for name in () if "file" in given else MEASURES[:3]:
             if given[name] is None:
                 raise wrong_type(name, 'a length such as 30 or "30 mm"', None)
@@ -109,7 +110,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         """
         return self._of(self, **known(measures, _api.Measures))
 
-    def _files(self, command: str) -> dict[str, Any]:
+    def _files(self, command: str) -> Json:
         return {"muscle": {"file": plain("muscle", self)}}
 
     def __dir__(self) -> list[str]:
@@ -117,7 +118,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         return [n for n in super().__dir__() if n in MEASURES or n not in _api.KEYS]
 
     @cached_property
-    def _own(self) -> dict[str, Any]:
+    def _own(self) -> Json:
         return self._held.fields()
 
     def _field(self, name: str) -> Any:
@@ -163,7 +164,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
                 return out
         return {"toml": self.to_toml()}
 
-    def _bound(self, given: Mapping[str, Any]) -> _native.Model:
+    def _bound(self, given: Named) -> _native.Model:
         """The model that is asked, kept for the next question."""
         key = tuple(given.items())
         with suppress(KeyError, TypeError):
@@ -180,7 +181,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         a: Any,
         b: Any,
         jac: bool | Sequence[str],
-        options: dict[str, Any],
+        options: Json,
     ) -> Any:
         """A number or an array of the broadcast shape; with `jac` also the derivatives along one axis more."""
         nan = is_nan(options.pop("errors", "raise"))
@@ -430,7 +431,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             return f"Muscle.from_toml({given['toml']!r})"
         if "rubber" in given:
             given["rubber"] = self.rubber
-        return f"Muscle({', '.join(f'{n}={value!r}' for n, value in given.items())})"
+        return f"Muscle({listed(given)})"
 
     def _repr_html_(self) -> str:
         from html import escape

@@ -12,7 +12,7 @@ from ._motion import Drive, Joint
 from ._muscle import Muscle
 from ._errors import FileError, InputError, blamed, checked, wrong_type
 from ._record import Record
-from ._request import Saved, array, arrays, bare, is_nan, numpy as np, place
+from ._request import Saved, array, arrays, bare, is_nan, listed, numpy as np, place
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -114,8 +114,7 @@ class Rubber(Saved):
     _key = to_toml
 
     def __repr__(self) -> str:
-        held = (f"{name}={value!r}" for name, value in self.constants.items())
-        return f"Rubber({', '.join([repr(self.law), *held])})"
+        return f"Rubber({self.law!r}, {listed(self.constants)})"
 
 
 def _constant(name: str, value: Any) -> Any:

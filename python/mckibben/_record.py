@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 from . import _native
 from ._errors import NoAnswerError, of as problem
-from ._request import Fixed, column, numpy as np, put, screen
+from ._request import Fixed, column, listed, numpy as np, put, screen
 
 if TYPE_CHECKING:
     import pandas
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from ._muscle import Muscle
     from ._parts import Formula, Rubber
-    from ._request import Array
+    from ._request import Array, Json, Named
 else:
 
     def dataclass_transform(**_: Any) -> Any:
@@ -57,7 +57,7 @@ class Record(Fixed):
             self.__dict__.update(fields)
 
     @classmethod
-    def _read(cls, data: Mapping[str, Any], asked: Any = None) -> Self:
+    def _read(cls, data: Named, asked: Any = None) -> Self:
         """The answer of JSON, and of which question it is."""
         kinds = cls._nested()
         held = {name: _wrapped(kinds.get(name), value) for name, value in data.items()}
@@ -75,7 +75,7 @@ class Record(Fixed):
             if isinstance(there.get(word), type) and issubclass(there[word], Record)
         }
 
-    def _fields(self) -> dict[str, Any]:
+    def _fields(self) -> Json:
         # The figure is the same facts once more.
         return {
             name: value
@@ -111,7 +111,7 @@ class Record(Fixed):
         held = {"mckibben": type(self).__name__, "data": data, "asked": asked}
         return {path: json.dumps(held, ensure_ascii=False)}
 
-    def _state(self) -> tuple[dict[str, Any], Any]:
+    def _state(self) -> tuple[Json, Any]:
         data = self.to_dict()
         if figure := getattr(self, "figure", None):
             data["figure"] = figure.to_dict()
@@ -124,8 +124,7 @@ class Record(Fixed):
         return json.dumps(self.to_dict(), sort_keys=True)
 
     def __repr__(self) -> str:
-        held = (f"{name}={value!r}" for name, value in self._fields().items())
-        return screen(f"{type(self).__name__}({', '.join(held)})")
+        return screen(f"{type(self).__name__}({listed(self._fields())})")
 
     def _repr_html_(self) -> str:
         from html import escape
@@ -168,7 +167,7 @@ def _wrapped(kind: type[Record] | None, value: Any) -> Any:
     return kind._read(value)
 
 
-def of_rows(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+def of_rows(rows: Sequence[Named]) -> Json:
     """The columns of rows; values that are lists or maps themselves are left out."""
     names = dict.fromkeys(
         name
@@ -259,7 +258,7 @@ class Solution(Record):
     warned: NDArray[np.int64]
 
     @classmethod
-    def _read(cls, data: Mapping[str, Any], asked: Any = None) -> Self:
+    def _read(cls, data: Named, asked: Any = None) -> Self:
         kinds: Any = {"slack": bool, "warned": np.int64, "status": str, "cause": object}
         shape = np.shape(data["pressure_mpa"])
         held = {name: data[name] for name in ("model", "warnings")}
@@ -291,7 +290,7 @@ class Solution(Record):
     def to_dict(self) -> dict[str, Any]:
         """Plain lists by name; None where a point does not have a number."""
         none: Any = None
-        out: dict[str, Any] = {"model": self.model, "warnings": self.warnings}
+        out: Json = {"model": self.model, "warnings": self.warnings}
         for name, values in self._arrays().items():
             if values.dtype.kind == "f":
                 # Zeros without a sign.
@@ -367,7 +366,7 @@ class Curve(Record):
     """A family of curves, its points as columns."""
 
     @classmethod
-    def _read(cls, data: Mapping[str, Any], asked: Any = None) -> Self:
+    def _read(cls, data: Named, asked: Any = None) -> Self:
         rows = data["points"]
         if rows and all(row["status"] != "ok" for row in rows):
             raise problem(

@@ -39,6 +39,9 @@ if TYPE_CHECKING:
         def to(self, unit: Any, /) -> Any: ...
 
     Answer = TypeVar("Answer", bound=Record)
+    # An object of JSON, and values by name, such as arguments.
+    Json = dict[str, Any]
+    Named = Mapping[str, Any]
     # A number in the unit of its name, a text with its unit, or a quantity of pint.
     Number = float | str | Measured
     # Several; a text may be a range with both ends in, such as "0..2.5:0.5 bar".
@@ -297,7 +300,7 @@ def ask(
 def answered(
     kind: type[Answer],
     command: str,
-    given: dict[str, Any],
+    given: Json,
     figure: str | bool | None = None,
 ) -> Answer:
     """The answer to a command with these arguments; with its figure, as to draw it takes less than to ask again."""
@@ -324,9 +327,9 @@ def answered(
     return kind._read(found, (command, request))
 
 
-def fields(given: Mapping[str, Any]) -> dict[str, Any]:
+def fields(given: Named) -> Json:
     """Arguments as the fields of a request; what is not given is left to the program."""
-    out: dict[str, Any] = {}
+    out: Json = {}
     for argument, value in given.items():
         name = argument.rstrip("_")
         if value is None:
@@ -344,7 +347,7 @@ def fields(given: Mapping[str, Any]) -> dict[str, Any]:
     return out
 
 
-def modelled(given: Mapping[str, Any], command: str = "force") -> dict[str, Any]:
+def modelled(given: Named, command: str = "force") -> Json:
     """Arguments, those of the model as the one object that the request of a command has, and the branch under its field."""
     out = dict(given)
     model = fields({name: out.pop(name, None) for name in ("model", *MODEL)})
@@ -356,7 +359,7 @@ def modelled(given: Mapping[str, Any], command: str = "force") -> dict[str, Any]
     return {**out, by: branch, "model": model}
 
 
-def known(given: Mapping[str, Any], kind: Any) -> Mapping[str, Any]:
+def known(given: Named, kind: Any) -> Named:
     """Keywords, of which each is one of a class of keywords."""
     there = kind.__annotations__
     for name in given:
@@ -383,6 +386,11 @@ def heard(progress: Progress, what: str) -> Callable[[int, int], object] | None:
         file=sys.stderr,
         flush=True,
     )
+
+
+def listed(values: Named) -> str:
+    """Values by name, as in a call."""
+    return ", ".join(f"{name}={value!r}" for name, value in values.items())
 
 
 def screen(text: str) -> str:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from ._api import Asking
     from ._muscle import Muscle
-    from ._request import Array
+    from ._request import Array, Named
 
 # Places and weights of differences of fourth order, about a point and from a point on.
 _PLACES = (-2, 0), (-1, 1), (0, 2), (1, 3), (2, 4)
@@ -35,9 +35,9 @@ class _Asked:
     names: Sequence[str] = ()
     # Values at points (the numbers of the question along their last axis) and one θ; where slopes are wanted with these, along an axis more at the end; with more
     # options.
-    numbers: Callable[[Array, Array, bool, Mapping[str, Any]], Array]
+    numbers: Callable[[Array, Array, bool, Named], Array]
 
-    def __init__(self, muscle: Muscle, given: Mapping[str, Any]) -> None:
+    def __init__(self, muscle: Muscle, given: Named) -> None:
         self.options = options = dict(given)
         self.nan = is_nan(options.pop("errors", "raise"))
         # Which model it is, and whether there is one.
@@ -103,7 +103,7 @@ class _OfMuscle(_Asked):
         muscle: Muscle,
         wanted: str,
         names: Sequence[str],
-        given: Mapping[str, Any],
+        given: Named,
     ) -> None:
         muscle._refuse(names, "wrt")
         self.muscle, self.wanted, self.names = muscle, wanted, names
@@ -111,9 +111,7 @@ class _OfMuscle(_Asked):
         self.signed = None if wanted == "contraction" else 1
         super().__init__(muscle, given)
 
-    def numbers(
-        self, points: Array, theta: Array, slopes: bool, more: Mapping[str, Any]
-    ) -> Array:
+    def numbers(self, points: Array, theta: Array, slopes: bool, more: Named) -> Array:
         values = dict(zip(self.names, theta.tolist()))
         measures = {name: value for name, value in values.items() if name in MEASURES}
         own = {name: value for name, value in values.items() if name not in MEASURES}
@@ -136,15 +134,13 @@ class _OfMuscle(_Asked):
 class _OfJoint(_Asked):
     """The torque of a joint."""
 
-    def __init__(self, joint: Joint, given: Mapping[str, Any]) -> None:
+    def __init__(self, joint: Joint, given: Named) -> None:
         muscles = joint._parts[1]
         self.joint, self.signed = joint, len(muscles)
         self.usual = *[0.1] * len(muscles), 20.0
         super().__init__(muscles[0], given)
 
-    def numbers(
-        self, points: Array, theta: Array, slopes: bool, more: Mapping[str, Any]
-    ) -> Array:
+    def numbers(self, points: Array, theta: Array, slopes: bool, more: Named) -> Array:
         how = "nan" if self.nan else "raise", {**self.options, **more}
         *pressures, angle = np.moveaxis(points, -1, 0)
         torque, rates, _ = self.joint._turned(pressures, angle, slopes, *how)
