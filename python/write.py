@@ -73,17 +73,10 @@ OWN = {
     "DriveCommands": "drive step muscle joint muscles tables",
     "CampaignCommands": "plan output campaign",
 }
-# Answers with a name of their own.
+# Answers with a name of their own; others lose their last word where the package has a class of that name.
 NAMES = {
-    "CurveAnswer": "Curve",
-    "FitAnswer": "Fit",
     "IdentifyAnswer": "Identification",
-    "RubberFitAnswer": "RubberFit",
-    "DesignAnswer": "Design",
-    "BuildAnswer": "Build",
-    "ExportAnswer": "Export",
     "ExportJointAnswer": "JointExport",
-    "ShapeAnswer": "Shape",
     "CheckFormulaAnswer": "FormulaCheck",
     "JointAnswer": "JointSolution",
     "MotionAnswer": "Motion",
@@ -140,7 +133,10 @@ TEXTS = dict(
     part.strip().split("\n\n", 1)
     for part in (ROOT / "python/docstrings.md").read_text("utf-8").split("\n## ")[1:]
 )
-RECORDS = (ROOT / "python/mckibben/_record.py").read_text("utf-8")
+# Classes that say what an answer can do besides.
+RECORDS = re.findall(
+    r"\nclass (\w+)", (ROOT / "python/mckibben/_record.py").read_text("utf-8")
+)
 HEAD = '''"""Commands and answers of the program. Written by python/write.py from the schema; do not edit."""
 
 from __future__ import annotations
@@ -215,7 +211,7 @@ def type_of(schema: Schema, is_answer: bool) -> str:
         if not is_answer and name in GIVEN:
             return GIVEN[name]
         if properties(schema):
-            return NAMES.get(name, name) if is_answer else "Mapping[str, Plain]"
+            return titled(name) if is_answer else "Mapping[str, Plain]"
         return type_of(defined(schema), is_answer)
     if choice := words(schema):
         return f"Literal[{', '.join(map(json.dumps, choice))}]"
@@ -281,6 +277,12 @@ def doc(schema: Schema) -> str:
     return " ".join(text.split())
 
 
+def titled(name: str) -> str:
+    """The class of a definition."""
+    short = name.removesuffix("Answer")
+    return NAMES.get(name, short if short in RECORDS else name)
+
+
 def named(name: str) -> str:
     return name + "_" if keyword.iskeyword(name) else name
 
@@ -335,8 +337,7 @@ def parameter(name: str, schema: Schema, how: str = "") -> str:
 def function(command: str, owner: str) -> str:
     held, name = schemas()[command], CALLED.get(command, command)
     first = dict(re.findall(r"(\w+)(\S*)", COMMANDS[owner][command]))
-    title = held["answer"]["title"]
-    answer = NAMES.get(title, title)
+    answer = titled(held["answer"]["title"])
     fields = request(command)
     if held["long"] or command == "curve":
         fields["progress"] = {"description": TEXTS["Progress"]}
@@ -450,15 +451,14 @@ def fields_class() -> str:
 
 def record(name: str, schema: Schema, rows: str | None) -> str:
     fields, always = properties(schema), required(schema)
-    # What it can do besides is in a class of the same name.
-    base = f"_record.{name}" if f"\nclass {name}(" in RECORDS else "Record"
+    base = f"_record.{name}" if name in RECORDS else "Record"
     lines = [f"_rows = {json.dumps(rows)}"] if rows else []
     # Those that are always there first, as in any dataclass.
     for field, value in sorted(fields.items(), key=lambda f: f[0] not in always):
         kind = type_of(value, True)
         if field not in always:
             kind = kind.removesuffix(" | None") + " | None = None"
-        lines.append(f"{named(field)}: {kind}")
+        lines.append(f"{field}: {kind}")
     if rows:
         lines.append(columns(fields[rows.split()[0]]))
     about = wrapped(doc(schema) or name)
@@ -484,7 +484,7 @@ def answers() -> dict[str, tuple[Schema, str | None]]:
 
     def reach(schema: Schema) -> None:
         for name in re.findall(r"#/\$defs/(\w+)", json.dumps(schema)):
-            held, called = schemas()["$defs"][name], NAMES.get(name, name)
+            held, called = schemas()["$defs"][name], titled(name)
             if called not in out and properties(held):
                 out[called] = held, None
                 reach(held)
@@ -492,7 +492,7 @@ def answers() -> dict[str, tuple[Schema, str | None]]:
     for command in chain(*COMMANDS.values()):
         schema = schemas()[command]["answer"]
         reach(schema)
-        out[NAMES.get(schema["title"], schema["title"])] = schema, ROWS.get(command)
+        out[titled(schema["title"])] = schema, ROWS.get(command)
     return dict(sorted(out.items()))
 
 
