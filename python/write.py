@@ -213,11 +213,12 @@ def type_of(schema: Schema, is_answer: bool) -> str:
         if properties(schema):
             return titled(name) if is_answer else "Mapping[str, Plain]"
         return type_of(defined(schema), is_answer)
-    if choice := words(schema):
-        return f"Literal[{', '.join(map(json.dumps, choice))}]"
+    if words := schema.get("enum", [schema["const"]] if "const" in schema else []):
+        return f"Literal[{', '.join(map(json.dumps, words))}]"
     if alternatives := options(schema):
         kinds = dict.fromkeys(type_of(option, is_answer) for option in alternatives)
-        return " | ".join(sorted(kinds, key="None".__eq__))
+        union = " | ".join(sorted(kinds, key="None".__eq__))
+        return union.replace("] | Literal[", ", ")
     many, table, number = (
         ("list", "dict", "float") if is_answer else ("Sequence", "Mapping", "Number")
     )
@@ -255,15 +256,6 @@ def options(schema: Schema) -> list[Schema]:
         [{**schema, "type": one} for one in kinds] if isinstance(kinds, list) else []
     )
     return [*schema.get("anyOf", []), *schema.get("oneOf", []), *of_kinds]
-
-
-def words(schema: Schema) -> list[str]:
-    """The words of a schema that is a choice of words, else none."""
-    choice = schema.get("enum", [schema.get("const")])
-    if all(isinstance(word, str) for word in choice):
-        return list(choice)
-    found = [words(option) for option in options(schema)]
-    return sum(found, []) if all(found) else []
 
 
 def doc(schema: Schema) -> str:
@@ -431,7 +423,7 @@ def fields_class() -> str:
         block(
             f"def __init__({', '.join(['self: Any', '*', *made])}) -> None",
             [section("Parameters", fields), TEXTS["MuscleFields"]],
-            'self._make({name: value for name, value in locals().items() if name != "self"})',
+            "self._make(locals())",
         )
     ]
     for name, field in fields.items():
@@ -445,8 +437,7 @@ def fields_class() -> str:
                     f'found: {kind} = self._field("{name}")\nreturn found',
                 )
             )
-    about = "What makes a muscle, and its measures; None where it does not have one."
-    return class_of("MuscleFields", about, out)
+    return class_of("MuscleFields", TEXTS["Fields"], out)
 
 
 def record(name: str, schema: Schema, rows: str | None) -> str:
@@ -501,28 +492,22 @@ def api() -> str:
     keys = {n: f["x-key"] for n, f in muscle().items() if "x-key" in f}
     own = ("pressure_mpa", "contraction", "muscle")
     how = {n: f for n, f in request("force").items() if n not in own}
-    about = (
-        "Points of a muscle as arrays of one shape; NaN where a point does not have it."
-    )
-    known = "Where a simulation is; None what it is not."
-    wanted = "Numbers that a muscle is asked for."
     parts = [
         HEAD,
         f"__all__ = {json.dumps([*made, 'Solution', 'State'])}\n# Keys of the muscle file, by field.\nKEYS = {json.dumps(keys)}\n# Numbers of a muscle, and of which pair.\nNUMBERS = {ASKED!r}",
         *(record(name, *held) for name, held in made.items()),
-        keywords("Options", "Which model of a muscle answers, and how.", how),
+        keywords("Options", TEXTS["Options"], how),
         'class Asking(Options, total=False):\n    """How a muscle is asked for numbers."""\n    errors: Literal["raise", "nan"]\n    progress: Progress',
         keywords("Measures", TEXTS["Measures"], muscle()),
-        numbers("Solution(_record.Solution)", about, COLUMNS["float"], "Answer"),
+        numbers("Solution(_record.Solution)", TEXTS["Solution"], "Array", "Answer"),
         # Of a muscle or of a joint: whoever asks knows which it is, and needs no look at None.
-        numbers("State(Record)", known, "float", "MotionSeries"),
+        numbers("State(Record)", TEXTS["State"], "float", "MotionSeries"),
         fields_class(),
-        class_of("MuscleNumbers", wanted, map(asked, ASKED)),
+        class_of("MuscleNumbers", TEXTS["Numbers"], map(asked, ASKED)),
     ]
     for owner, commands in COMMANDS.items():
         made_of = [function(command, owner) for command in commands]
-        what = "What the program answers of it, by command."
-        parts += [class_of(owner, what, made_of)] if owner else made_of
+        parts += [class_of(owner, TEXTS["Commands"], made_of)] if owner else made_of
     formatter = sys.executable, "-m", "ruff", "format", "--isolated", "-"
     return said(*formatter, given="\n\n\n".join(parts) + "\n")
 

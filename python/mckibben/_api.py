@@ -7485,7 +7485,7 @@ class MuscleFields:
         -----
         `rubber` may be a :class:`Rubber`.
         """
-        self._make({name: value for name, value in locals().items() if name != "self"})
+        self._make(locals())
 
     @property
     def outer_diameter_mm(self: Any) -> float:
@@ -7998,9 +7998,7 @@ class MuscleCommands:
         model: FormulaLike | None = None,
         extrapolate: bool = False,
         two_sided: bool = False,
-        branch: Literal["mean", "contraction", "elongation"]
-        | Literal["both"]
-        | None = None,
+        branch: Literal["mean", "contraction", "elongation", "both"] | None = None,
         mesh: str | None = None,
         match: Literal["length", "angle"] | None = None,
         terminal: Mapping[str, Plain] | None = None,

@@ -84,6 +84,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     _models: dict[Any, _native.Model]
 
     def _make(self, given: Json) -> Self:
+        given.pop("self", None)
         for name in () if "file" in given else MEASURES[:3]:
             if given[name] is None:
                 raise wrong_type(name, 'a length such as 30 or "30 mm"', None)
