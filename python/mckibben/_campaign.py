@@ -79,7 +79,7 @@ class Campaign(_api.CampaignCommands):
         import pandas as pd
 
         table = pd.read_parquet(self._table)
-        flags = [name for name in table if name.startswith("warning_")]
+        flags = table.filter(regex="^warning_").columns
         return table.astype(dict.fromkeys(flags, "boolean"))
 
     def __repr__(self) -> str:

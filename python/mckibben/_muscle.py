@@ -52,12 +52,10 @@ _LIKELY_MPA = 1.0
 _ONE = (float, int)
 
 
-def _say(texts: Iterable[str]) -> list[str]:
-    """Warns of what is to be said of points, once of each text; which these are."""
-    said = list(dict.fromkeys(texts))
-    if said:
-        warned("; ".join(said), MuscleWarning)
-    return said
+def _say(texts: Iterable[str]) -> None:
+    """Warns of what is to be said of points, once of each text."""
+    if said := "; ".join(dict.fromkeys(texts)):
+        warned(said, MuscleWarning)
 
 
 def _plain(value: Any) -> Any:
@@ -188,8 +186,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         nan = is_nan(options.pop("errors", "raise"))
         progress = options.pop("progress", None)
         bound = self._bound(options)
-        a = a if type(a) in _ONE else _plain(a)
-        b = b if type(b) in _ONE else _plain(b)
+        a, b = (v if type(v) in _ONE else _plain(v) for v in (a, b))
         if jac is False and progress is None and type(a) in _ONE and type(b) in _ONE:
             stated = {"force": a, "contraction": b}.get(wanted, 0.0)
             if stated > _LIKELY_MPA:
@@ -259,23 +256,25 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         points = p.ravel().tolist(), e.ravel().tolist()
         with blamed(is_one=p.ndim == 0):
             rows = bound.solve(*points, is_nan(errors), heard(progress, "solve"))
-        said = [[w["message"] for w in row.pop("warnings", ())] for row in rows]
-        texts = _say(text for of_row in said for text in of_row)
         usual = {"slack": False, "status": "ok", "cause": ""}
-        for row, of_row in zip(rows, said):
+        places: dict[str, int] = {}
+        for row in rows:
+            said = (w["message"] for w in row.pop("warnings", ()))
+            bits = {1 << places.setdefault(text, len(places)) for text in said}
+            row["warned"] = sum(bits)
             # They add as squares.
             parts = row.pop("uncertainty_parts_n", {}).items()
             row |= {f"uncertainty_{name}_n": part for name, part in parts}
-            row["warned"] = sum(1 << texts.index(text) for text in set(of_row))
             for name in ("direction", "predicted_direction"):
                 row.pop(name, None)
+        _say(places)
         made = _api.Solution._read(
             {
                 **of_rows([{**usual, **row} for row in rows]),
                 "pressure_mpa": p,
                 "contraction": e,
                 "model": bound.name,
-                "warnings": texts,
+                "warnings": list(places),
             }
         )
         own = labelled("pressure_mpa", p)
@@ -370,8 +369,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
     @property
     def braid(self) -> str:
         """The braid: its name, its stiffness or its strands."""
-        asked = {**self._files("check"), "only_data": True}
-        return str(_native.ask("check", asked)["braid"])
+        return self.check(only_data=True).braid
 
     def report(
         self,
