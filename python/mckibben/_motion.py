@@ -380,7 +380,7 @@ class Joint(_api.JointCommands, _File):
         *pressures, slope = by / inertia
         a = np.array([[0.0, 1.0], [slope, -damping / inertia]])
         b = np.array([np.zeros(len(by)), [*pressures, 1.0 / inertia]])
-        return Linear(a, b, np.array([[1.0, 0.0]]), np.zeros((1, len(by))))
+        return Linear(a, b, np.eye(1, 2), np.zeros((1, len(by))))
 
     @property
     def muscles(self) -> dict[str, Muscle]:

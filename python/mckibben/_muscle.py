@@ -361,10 +361,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         """The rubber: its name in the library, or its law and constants."""
         from ._parts import Rubber
 
-        tube = _native.toml("muscle", self.to_toml()).get("tube", {})
-        if "material" in tube:
-            return Rubber.from_toml(self.to_toml())
-        return str(tube.get("rubber", "antonelli2018"))
+        return self._field("rubber") or Rubber.from_toml(self.to_toml())
 
     @property
     def braid(self) -> str:

@@ -72,7 +72,7 @@ class Record(Fixed):
             name: there[word]
             for name, kind in cls.__annotations__.items()
             for word in re.findall(r"\b[A-Z]\w+", kind)
-            if isinstance(there.get(word), type) and issubclass(there[word], Record)
+            if word in there["__all__"]
         }
 
     def _fields(self) -> Json:

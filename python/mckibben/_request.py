@@ -362,10 +362,9 @@ def modelled(given: Named, command: str = "force") -> Json:
 def known(given: Named, kind: Any) -> Named:
     """Keywords, of which each is one of a class of keywords."""
     there = kind.__annotations__
-    for name in given:
-        if name not in there:
-            said = f"unexpected keyword argument {name!r}; there is {', '.join(there)}"
-            raise TypeError(said)
+    for name in given.keys() - there:
+        said = f"unexpected keyword argument {name!r}; there is {', '.join(there)}"
+        raise TypeError(said)
     return given
 
 

@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from ._muscle import Muscle
     from ._request import Array, Named
 
+    # What JAX takes and differentiates.
+    Function = Callable[..., jax.Array]
+
 # Places and weights of differences of fourth order, about a point and from a point on.
 _PLACES = (-2, 0), (-1, 1), (0, 2), (1, 3), (2, 4)
 _WEIGHTS = (1, -25), (-8, 48), (0, -36), (8, 16), (-1, -3)
@@ -152,7 +155,7 @@ def force(
     muscle: Muscle,
     wrt: Sequence[str] = (),
     **options: Unpack[Asking],
-) -> Callable[..., jax.Array]:
+) -> Function:
     """F(P, ε; θ) of a muscle as a function of JAX with its first and second derivatives (``jax.custom_jvp``): ``f(pressure_mpa, contraction)``, or
     ``f(pressure_mpa, contraction, theta)`` with the values of the names in their order, or a dict of them, of the broadcast shape of pressures and contractions.
 
@@ -189,7 +192,7 @@ def pressure(
     muscle: Muscle,
     wrt: Sequence[str] = (),
     **options: Unpack[Asking],
-) -> Callable[..., jax.Array]:
+) -> Function:
     """P(F, ε; θ) of a muscle: ``f(force_n, contraction)`` or ``f(force_n, contraction, theta)`` in MPa; arguments as in :func:`force`."""
     return _function(_OfMuscle(muscle, "pressure", wrt, options))
 
@@ -198,17 +201,17 @@ def contraction(
     muscle: Muscle,
     wrt: Sequence[str] = (),
     **options: Unpack[Asking],
-) -> Callable[..., jax.Array]:
+) -> Function:
     """ε(F, P; θ) of a muscle: ``f(force_n, pressure_mpa)`` or ``f(force_n, pressure_mpa, theta)``; arguments as in :func:`force`."""
     return _function(_OfMuscle(muscle, "contraction", wrt, options))
 
 
-def torque(joint: Joint, **options: Unpack[Asking]) -> Callable[..., jax.Array]:
+def torque(joint: Joint, **options: Unpack[Asking]) -> Function:
     """τ(P, φ) of a joint with its first and second derivatives: ``f(pressures_mpa, angle_deg)`` in N m, with a pressure for each muscle; arguments as in :func:`force`."""
     return _function(_OfJoint(joint, options))
 
 
-def _function(asked: _Asked) -> Callable[..., jax.Array]:
+def _function(asked: _Asked) -> Function:
     # It takes its time, and need not be there.
     import jax
     import jax.numpy as jnp
