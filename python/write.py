@@ -146,7 +146,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypedDict, overload
 
 from . import _record
 from ._record import Record
-from ._request import answered, known, modelled
+from ._request import answered
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -342,13 +342,9 @@ def function(command: str, owner: str) -> str:
     made = [parameter(n, field, first.get(n, "")) for n, field in fields.items()]
     if len(made) > len(first):
         made.insert(len(first), "*")
-    given = "locals()"
     if reference(fields.get("muscle")) == "MuscleFields":
         made.append("**measures: Unpack[Measures]")
         fields["measures"] = {"description": TEXTS["Measures"]}
-        given = '{**locals(), "muscle": {"file": muscle, **known(measures, Measures)}, "measures": None}'
-    if reference(properties(held["request"]).get("model")) == "ModelFields":
-        given = f'modelled({given}, "{command}")'
     example = TEXTS[f"{owner}.{name}".strip(".")]
     about = [
         wrapped(doc(held["request"])),
@@ -362,7 +358,7 @@ def function(command: str, owner: str) -> str:
     return block(
         f"def {name}({', '.join(made)}) -> {answer}",
         about,
-        f'return answered({answer}, "{command}", {given}{drawn})',
+        f'return answered({answer}, "{command}", locals(){drawn})',
     )
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypedDict, overload
 
 from . import _record
 from ._record import Record
-from ._request import answered, known, modelled
+from ._request import answered
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -8064,7 +8064,7 @@ class MuscleCommands:
         array([[429., 287., 159.],
                [859., 574., 319.]])
         """
-        return answered(Curve, "curve", modelled(locals(), "curve"))
+        return answered(Curve, "curve", locals())
 
     def simulate(
         self,
@@ -8140,9 +8140,7 @@ class MuscleCommands:
         >>> test["force_n"].shape
         (2,)
         """
-        return answered(
-            SimulateAnswer, "simulate", modelled(locals(), "simulate"), "MPa"
-        )
+        return answered(SimulateAnswer, "simulate", locals(), "MPa")
 
     def shape(
         self,
@@ -8275,7 +8273,7 @@ class MuscleCommands:
         >>> filled.stroke_mm > 0
         True
         """
-        return answered(FillAnswer, "fill", modelled(locals(), "fill"))
+        return answered(FillAnswer, "fill", locals())
 
     def check(
         self,
@@ -8339,7 +8337,7 @@ class MuscleCommands:
         >>> mk.Muscle.prototype().check(pressure_mpa="2 bar", model="ideal").angle_deg
         28.0
         """
-        return answered(CheckAnswer, "check", modelled(locals(), "check"))
+        return answered(CheckAnswer, "check", locals())
 
     def compare(
         self,
@@ -8476,7 +8474,7 @@ class MuscleCommands:
         >>> len(study.to_pandas()) == len(study.points)
         True
         """
-        return answered(StudyAnswer, "study", modelled(locals(), "study"), "MPa")
+        return answered(StudyAnswer, "study", locals(), "MPa")
 
     def build(
         self,
@@ -8622,7 +8620,7 @@ class MuscleCommands:
         >>> [file.name for file in mk.Muscle.prototype().export("python", model="thick-wall").files]
         ['muscle.py']
         """
-        return answered(Export, "export", modelled(locals(), "export"))
+        return answered(Export, "export", locals())
 
 
 class JointCommands:
@@ -8701,7 +8699,7 @@ class JointCommands:
         >>> found.points[0].rest, abs(found.points[0].angle_deg) < 1e-6
         ('stable', True)
         """
-        return answered(JointSolution, "joint", modelled(locals(), "joint"), "MPa")
+        return answered(JointSolution, "joint", locals(), "MPa")
 
     def export(
         self,
@@ -8760,7 +8758,7 @@ class JointCommands:
         >>> import mckibben as mk
         >>> joint.export("c").write("joint_c")  # doctest: +SKIP
         """
-        return answered(JointExport, "export-joint", modelled(locals(), "export-joint"))
+        return answered(JointExport, "export-joint", locals())
 
 
 class DriveCommands:
@@ -8828,7 +8826,7 @@ class DriveCommands:
         >>> motion.at_rest
         True
         """
-        return answered(Motion, "motion", modelled(locals(), "motion"), "MPa")
+        return answered(Motion, "motion", locals(), "MPa")
 
 
 class CampaignCommands:
@@ -9110,7 +9108,7 @@ def design(
     >>> found.best.rubber, len(found["outer_diameter_mm"]) == len(found.candidates)
     ('dragon-skin-30', True)
     """
-    return answered(Design, "design", modelled(locals(), "design"), "MPa")
+    return answered(Design, "design", locals(), "MPa")
 
 
 def identify(
@@ -9204,19 +9202,7 @@ def identify(
     >>> bool(abs(found["value"][0] - 1) < 1e-6)
     True
     """
-    return answered(
-        Identification,
-        "identify",
-        modelled(
-            {
-                **locals(),
-                "muscle": {"file": muscle, **known(measures, Measures)},
-                "measures": None,
-            },
-            "identify",
-        ),
-        "MPa",
-    )
+    return answered(Identification, "identify", locals(), "MPa")
 
 
 def fit_rubber(

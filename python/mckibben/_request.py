@@ -304,16 +304,21 @@ def answered(
     figure: str | bool | None = None,
 ) -> Answer:
     """The answer to a command with these arguments; with its figure, as to draw it takes less than to ask again."""
+    from ._api import KEYS, Measures
+
     progress = heard(given.pop("progress", None), command)
     me = given.pop("self", None)
+    if "measures" in given:
+        measures = known(given.pop("measures"), Measures)
+        given["muscle"] = {"file": given["muscle"], **measures}
+    if "model" in given:
+        given = modelled(given, command)
     own = me._files(command) if me else {}
     request = _native.given(command, fields({**own, **given}))
     drawn = {} if figure is None else {"figure": figure}
     try:
         found = _native.ask(command, {**request, **drawn}, progress)
     except MckibbenError as error:
-        from ._api import KEYS
-
         # What is in quotes is what was given, and a measure is named by its key.
         quoted = re.split('["`]', error.message)[1:2]
         muscle = given.get("muscle")
