@@ -333,9 +333,6 @@ def function(command: str, owner: str) -> str:
     fields = request(command)
     if held["long"] or command == "curve":
         fields["progress"] = {"description": TEXTS["Progress"]}
-    # A curve is drawn when it is wanted.
-    figure = command != "curve" and fields.pop("figure", None)
-    drawn = f", {figure.get('type') == 'boolean' or 'MPa'!r}" if figure else ""
     own = {"figure", *OWN.get(owner, "").split()}
     order = dict.fromkeys([*first, *fields])
     fields = {n: fields[n] for n in order if n not in own}
@@ -358,7 +355,7 @@ def function(command: str, owner: str) -> str:
     return block(
         f"def {name}({', '.join(made)}) -> {answer}",
         about,
-        f'return answered({answer}, "{command}", locals(){drawn})',
+        f'return answered({answer}, "{command}", locals())',
     )
 
 

@@ -8140,7 +8140,7 @@ class MuscleCommands:
         >>> test["force_n"].shape
         (2,)
         """
-        return answered(SimulateAnswer, "simulate", locals(), "MPa")
+        return answered(SimulateAnswer, "simulate", locals())
 
     def shape(
         self,
@@ -8415,7 +8415,7 @@ class MuscleCommands:
         >>> muscle.compare(data=bench, models=["universal"]).models[0].rms_n < 1e-6
         True
         """
-        return answered(CompareAnswer, "compare", locals(), "MPa")
+        return answered(CompareAnswer, "compare", locals())
 
     def study(
         self,
@@ -8474,7 +8474,7 @@ class MuscleCommands:
         >>> len(study.to_pandas()) == len(study.points)
         True
         """
-        return answered(StudyAnswer, "study", locals(), "MPa")
+        return answered(StudyAnswer, "study", locals())
 
     def build(
         self,
@@ -8699,7 +8699,7 @@ class JointCommands:
         >>> found.points[0].rest, abs(found.points[0].angle_deg) < 1e-6
         ('stable', True)
         """
-        return answered(JointSolution, "joint", locals(), "MPa")
+        return answered(JointSolution, "joint", locals())
 
     def export(
         self,
@@ -8826,7 +8826,7 @@ class DriveCommands:
         >>> motion.at_rest
         True
         """
-        return answered(Motion, "motion", locals(), "MPa")
+        return answered(Motion, "motion", locals())
 
 
 class CampaignCommands:
@@ -9108,7 +9108,7 @@ def design(
     >>> found.best.rubber, len(found["outer_diameter_mm"]) == len(found.candidates)
     ('dragon-skin-30', True)
     """
-    return answered(Design, "design", locals(), "MPa")
+    return answered(Design, "design", locals())
 
 
 def identify(
@@ -9202,7 +9202,7 @@ def identify(
     >>> bool(abs(found["value"][0] - 1) < 1e-6)
     True
     """
-    return answered(Identification, "identify", locals(), "MPa")
+    return answered(Identification, "identify", locals())
 
 
 def fit_rubber(
@@ -9290,7 +9290,7 @@ def fit_rubber(
     >>> mk.fit_rubber(tension, laws=["neo-hookean"]).rubber("neo-hookean").law
     'neo-hookean'
     """
-    return answered(RubberFit, "rubber", locals(), True)
+    return answered(RubberFit, "rubber", locals())
 
 
 def fit(

@@ -301,9 +301,8 @@ def answered(
     kind: type[Answer],
     command: str,
     given: Json,
-    figure: str | bool | None = None,
 ) -> Answer:
-    """The answer to a command with these arguments; with its figure, as to draw it takes less than to ask again."""
+    """The answer to a command with these arguments."""
     from ._api import KEYS, Measures
 
     progress = heard(given.pop("progress", None), command)
@@ -315,9 +314,11 @@ def answered(
         given = modelled(given, command)
     own = me._files(command) if me else {}
     request = _native.given(command, fields({**own, **given}))
-    drawn = {} if figure is None else {"figure": figure}
+    # To draw takes less than to ask again; a curve is drawn when it is wanted.
+    if hasattr(kind, "figure") and command != "curve":
+        request["figure"] = command == "rubber" or "MPa"
     try:
-        found = _native.ask(command, {**request, **drawn}, progress)
+        found = _native.ask(command, request, progress)
     except MckibbenError as error:
         # What is in quotes is what was given, and a measure is named by its key.
         quoted = re.split('["`]', error.message)[1:2]
