@@ -306,11 +306,10 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             self._of(self, **{measure: value + sign * step}).parameters
             for sign in (1, -1)
         )
-        rates = {name: (high[name] - low[name]) / (2 * step) for name in high}
         return {
-            name: rate
-            for name, rate in rates.items()
-            if abs(rate * value) > 1e-10 * abs(high[name])
+            name: (high[name] - low[name]) / (2 * step)
+            for name in high
+            if high[name] != low[name]
         }
 
     def _refuse(self, names: Collection[str], field: str) -> None:
@@ -408,8 +407,8 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             with suppress(InputError):
                 held: Any = _api.part(name)
                 sources[name] = (held.rubber or held.sleeve).source
-        found = re.findall(r"^(@\w+\{(\w+),.*?^\})", _native.LITERATURE, re.M | re.S)
-        entries = {key: text for text, key in found}
+        found = re.finditer(r"^@\w+\{(\w+),.*?^\}", _native.LITERATURE, re.M | re.S)
+        entries = {entry[1]: entry[0] for entry in found}
         out = [
             f"@software{{mckibben,\n  title = {{mckibben: design of McKibben pneumatic muscles}},\n  version = {{{_native.VERSION}}}\n}}"
         ]

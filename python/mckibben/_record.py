@@ -379,11 +379,14 @@ class Curve(Record):
         held = self.to_dict()
         rows, fixed = held["points"], held["fixed"]
         of_curve = len(rows) // max(len(fixed), 1)
-        for i, row in enumerate(rows):
-            slack = row.get("slack", False)
-            rows[i] = {"fixed": fixed[i // of_curve], **row, "slack": slack}
-            rows[i].pop("model", None)
-        return of_rows(rows)
+        columns = of_rows(
+            [
+                {"fixed": fixed[i // of_curve], **row, "slack": row.get("slack", False)}
+                for i, row in enumerate(rows)
+            ]
+        )
+        columns.pop("model", None)
+        return columns
 
     def grid(self: Any, column: str) -> Array:
         """A column with one row for each curve."""
