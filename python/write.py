@@ -26,6 +26,7 @@ from typing import Any
 ROOT = Path(__file__).resolve().parent.parent
 API = ROOT / "python/mckibben/_api.py"
 Schema = Any
+Fields = dict[str, Schema]
 
 # Commands as functions, and as methods of a muscle, a joint and a drive, with what may be given without its keyword: with `!` what must be, with `=` what
 # it is else.
@@ -101,8 +102,9 @@ ROWS = {
 }
 # Types of columns, by those of a row's field, or of a list by its name.
 COLUMNS = {
-    "float": "Array",
-    "list[float]": "Array",
+    **dict.fromkeys(
+        ("float", "float | None", "list[float]", "list[float] | None"), "Array"
+    ),
     "str": "list[str]",
 }
 # Types of what may be given, by the names of fields and of definitions.
@@ -169,7 +171,7 @@ def defined(schema: Schema) -> Schema:
     return schemas()["$defs"][name] if name else schema
 
 
-def properties(schema: Schema) -> dict[str, Schema]:
+def properties(schema: Schema) -> Fields:
     """All fields of an object, those of its variants among them."""
     schema = defined(schema)
     out = dict(schema.get("properties", {}))
@@ -188,7 +190,7 @@ def required(schema: Schema) -> set[str]:
     )
 
 
-def request(command: str) -> dict[str, Schema]:
+def request(command: str) -> Fields:
     """The arguments of a command: the fields of its request, those of its model one by one."""
     fields = properties(schemas()[command]["request"])
     # One word for the branch of the hysteresis.
@@ -238,7 +240,7 @@ def type_of(schema: Schema, is_answer: bool) -> str:
     }.get(str(kind), "Any")
 
 
-def muscle() -> dict[str, Schema]:
+def muscle() -> Fields:
     """The fields of a muscle by which it is made and changed."""
     fields = properties(schemas()["$defs"]["MuscleFields"])
     return {n: f for n, f in fields.items() if n not in ("file", "tube", "with")}
@@ -266,7 +268,7 @@ def doc(schema: Schema) -> str:
     text = re.sub(r"\[(`[^`]*`)\](\([^)]*\))?", r"\1", text)
     # A short help text has no full stop.
     text = re.sub(r"(?<![.:;,…])(?<!\.\))(\n\n|$)", r".\1", text) if text else ""
-    return " ".join(text.split())
+    return textwrap.fill(" ".join(text.split()), 150)
 
 
 def titled(name: str) -> str:
@@ -287,28 +289,17 @@ def block(head: str, about: list[str], *lines: str) -> str:
     return f"{head}:\n{textwrap.indent(held, '    ')}"
 
 
-def wrapped(text: str, indent: str = "") -> str:
-    return textwrap.fill(
-        text,
-        150,
-        initial_indent=indent,
-        subsequent_indent=indent,
-    )
-
-
-def section(title: str, fields: dict[str, Schema]) -> str:
+def section(title: str, fields: Fields) -> str:
     """A part of a docstring: names with their units, and what they are."""
     lines = [title, "-" * len(title)]
     for name, field in fields.items():
         unit = f" : {field['x-unit']}" if field.get("x-unit") else ""
-        text = wrapped(doc(field) or "See the documentation.", "    ")
-        lines += [named(name) + unit, text]
+        text = textwrap.fill(doc(field) or "See the documentation.", 146)
+        lines += [named(name) + unit, textwrap.indent(text, "    ")]
     return "\n".join(lines) if fields else ""
 
 
-def class_of(
-    head: str, about: str, parts: Iterable[str], fields: dict[str, Schema] = {}
-) -> str:
+def class_of(head: str, about: str, parts: Iterable[str], fields: Fields = {}) -> str:
     """A class with what its fields are."""
     return block(f"class {head}", [about, section("Attributes", fields)], *parts)
 
@@ -344,7 +335,7 @@ def function(command: str, owner: str) -> str:
         fields["measures"] = {"description": TEXTS["Measures"]}
     example = TEXTS[f"{owner}.{name}".strip(".")]
     about = [
-        wrapped(doc(held["request"])),
+        doc(held["request"]),
         section("Parameters", fields),
         section("Returns", {answer: held["answer"]}),
         TEXTS["Raises"],
@@ -395,7 +386,6 @@ def columns(table: Schema) -> str:
     rows = defined(table)
     for name, field in properties(rows.get("items", rows)).items():
         kind = re.sub(r"Literal\[.*?\]", "str", type_of(field, True))
-        kind = kind.removesuffix(" | None") if "float" in kind else kind
         if kind in COLUMNS:
             by_type.setdefault(COLUMNS[kind], []).append(name)
     heads = [
@@ -426,7 +416,7 @@ def fields_class() -> str:
             out.append(
                 block(
                     f"@property\ndef {name}(self: Any) -> {kind}",
-                    [wrapped(doc(field))],
+                    [doc(field)],
                     f'found: {kind} = self._field("{name}")\nreturn found',
                 )
             )
@@ -438,15 +428,14 @@ def record(name: str, schema: Schema, rows: str | None) -> str:
     base = f"_record.{name}" if name in RECORDS else "Record"
     lines = [f"_rows = {json.dumps(rows)}"] if rows else []
     # Those that are always there first, as in any dataclass.
-    for field, value in sorted(fields.items(), key=lambda f: f[0] not in always):
-        kind = type_of(value, True)
+    for field in sorted(fields, key=lambda name: name not in always):
+        kind = type_of(fields[field], True)
         if field not in always:
             kind = kind.removesuffix(" | None") + " | None = None"
         lines.append(f"{field}: {kind}")
     if rows:
         lines.append(columns(fields[rows.split()[0]]))
-    about = wrapped(doc(schema) or name)
-    return class_of(f"{name}({base})", about, lines, fields)
+    return class_of(f"{name}({base})", doc(schema) or name, lines, fields)
 
 
 def numbers(head: str, about: str, kind: str, of: str) -> str:
@@ -456,7 +445,7 @@ def numbers(head: str, about: str, kind: str, of: str) -> str:
     return class_of(head, about, (f"{n}: {kind}" for n in held), held)
 
 
-def keywords(name: str, about: str, fields: dict[str, Schema]) -> str:
+def keywords(name: str, about: str, fields: Fields) -> str:
     """Fields as keywords of one type."""
     made = (parameter(n, f).split(" = ")[0] for n, f in fields.items())
     return class_of(f"{name}(TypedDict, total=False)", about, made, fields)
