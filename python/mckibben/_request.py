@@ -356,8 +356,8 @@ def fields(given: Named) -> Json:
 def modelled(given: Named, command: str = "force") -> Json:
     """Arguments, those of the model as the one object that the request of a command has, and the branch under its field."""
     out = dict(given)
-    model = fields({name: out.pop(name, None) for name in ("model", *MODEL)})
-    model["name"] = model.pop("model", None)
+    model = {"name": out.pop("model", None)}
+    model |= {name: out.pop(name, None) for name in MODEL}
     branch = out.pop("branch", None)
     by = "branches" if command == "identify" else "direction"
     if (command, branch) == ("curve", "both"):
