@@ -17,7 +17,7 @@ from ._errors import (
     checked,
     wrong_type,
 )
-from ._muscle import Muscle, masked, unmasked
+from ._muscle import Muscle
 from ._request import (
     Fixed,
     array,
@@ -255,8 +255,7 @@ class Joint(_api.JointCommands, _File):
             said = "one for each muscle, each a number or an array"
             raise InputError(said, field="pressures_mpa")
         given = [("pressures_mpa", pressure) for pressure in several]
-        held, labelled = arrays(("angle_deg", angle_deg), *given)
-        mask, (angles, *pressures) = unmasked(held)
+        (angles, *pressures), labelled = arrays(("angle_deg", angle_deg), *given)
         rows = [native.levers(angle, is_nan(errors)) for angle in angles.flat]
         levers = np.transpose(rows).reshape(2 + 3 * len(muscles), *angles.shape)
         torque, slope, *held = np.broadcast_arrays(*levers, *pressures)
@@ -272,7 +271,7 @@ class Joint(_api.JointCommands, _File):
             by_contraction = arm / muscle.length_mm * rates[..., 1]
             slope = slope + 1e-3 * (arm_slope * pull + arm * by_contraction)
         found = np.stack([*by_pressure, slope], axis=-1)
-        return masked(torque, mask), masked(found, mask), labelled
+        return torque, found, labelled
 
     def torque(
         self,

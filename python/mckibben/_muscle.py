@@ -202,7 +202,6 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
             return found
         name, *pair = _api.NUMBERS[wanted]
         (a, b), labelled = arrays(*zip(pair, (a, b)))
-        mask, (a, b) = unmasked([a, b])
         flag = isinstance(jac, (bool, np.bool_))
         names: Any = [] if flag else [jac] if isinstance(jac, str) else jac
         if not isinstance(names, Collection) or not all(
@@ -219,7 +218,6 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         with blamed(is_one=first.ndim == 0):
             out, said = filled(bound, wanted, chain, first, second, nan, True, hear)
         _say(said)
-        out = masked(out, mask)
         if chain is None:
             return labelled(name, out)
         return labelled(name, out[..., 0]), labelled(name, out[..., 1:])
@@ -249,10 +247,9 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         ((2,), True)
         """
         bound = self._bound(options)
-        held, labelled = arrays(
-            ("pressure_mpa", pressure_mpa), ("contraction", contraction)
-        )
-        p, e = np.broadcast_arrays(*(np.ma.filled(v, np.nan) for v in held))
+        given = ("pressure_mpa", pressure_mpa), ("contraction", contraction)
+        held, labelled = arrays(*given, missing=np.nan)
+        p, e = np.broadcast_arrays(*held)
         points = p.ravel().tolist(), e.ravel().tolist()
         with blamed(is_one=p.ndim == 0):
             rows = bound.solve(*points, is_nan(errors), heard(progress, "solve"))
@@ -432,22 +429,6 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         from html import escape
 
         return f"<p>{escape(repr(self))}</p>{self.shape(0.0, 0.0)._frame()}"
-
-
-def unmasked(values: Sequence[Array]) -> tuple[Any, list[Array]]:
-    """Where one of several arrays is masked, and these with zeros there: what is masked is asked as the muscle at rest, which every model answers."""
-    if not any(np.ma.isMA(v) for v in values):
-        return None, list(values)
-    mask = sum(np.ma.getmaskarray(v) for v in values) > 0
-    return mask, [np.where(mask, 0.0, np.ma.getdata(v)) for v in values]
-
-
-def masked(found: Any, mask: Any) -> Any:
-    """An answer that is masked where the question was."""
-    if mask is not None:
-        found = np.ma.array(found, mask=False)
-        found[mask] = np.ma.masked
-    return found
 
 
 def filled(

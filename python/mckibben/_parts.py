@@ -222,9 +222,9 @@ class Formula(Saved):
             ("contraction", contraction),
             ("wall_mm", wall_mm),
             ("outer_diameter_mm", outer_diameter_mm),
+            missing=np.nan,
         )
-        held = (np.ma.filled(values, np.nan) for values in given)
-        points = np.stack(np.broadcast_arrays(*held), axis=-1)
+        points = np.stack(np.broadcast_arrays(*given), axis=-1)
         out = np.empty(points.shape[:-1])
         checked("extrapolate", extrapolate, bool, np.bool_)
         checked("two_sided", two_sided, bool, np.bool_)

@@ -214,10 +214,12 @@ def array(name: str, value: Any) -> Array:
 
 
 def arrays(
-    *given: tuple[str, Any],
+    *given: tuple[str, Any], missing: float = 0.0
 ) -> tuple[list[Array], Callable[[str, Any], Any]]:
-    """Arrays of named values, and what puts their labels on an answer of a name: dimensions and coordinates of xarray, by which values are broadcast, or the index of
-    pandas; both are to be the same. An answer without a dimension is a number.
+    """Arrays of named values, with a number where one of them is masked, and what puts their labels on an answer of a name: the mask; dimensions and coordinates of
+    xarray, by which values are broadcast, or the index of pandas; both are to be the same. An answer without a dimension is a number.
+
+    What is masked is asked as the muscle at rest, which every model answers.
     """
     if any(hasattr(value, "dims") for _, value in given):
         import xarray as xr
@@ -248,18 +250,26 @@ def arrays(
             if not value.index.equals(first.index):
                 raise InputError("another index", field=name)
 
-    def indexed(name: str, found: Any) -> Any:
-        if not found.ndim:
-            return float(found)
-        if first is None or found.ndim > 1:
-            return found
-        return type(first)(found, first.index, name=name)
-
     found = [array(name, value) for name, value in given]
     try:
         np.broadcast_shapes(*(values.shape for values in found))
     except ValueError as error:
         raise InputError(str(error), field=given[-1][0]) from None
+    mask: Any = None
+    if any(map(np.ma.isMA, found)):
+        mask = sum(np.ma.getmaskarray(values) for values in found) > 0
+        found = [np.where(mask, missing, np.ma.getdata(values)) for values in found]
+
+    def indexed(name: str, answer: Any) -> Any:
+        if mask is not None:
+            answer = np.ma.array(answer, mask=False)
+            answer[mask] = np.ma.masked
+        if not answer.ndim:
+            return float(answer)
+        if first is None or answer.ndim > 1:
+            return answer
+        return type(first)(answer, first.index, name=name)
+
     return found, indexed
 
 
