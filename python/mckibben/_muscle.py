@@ -446,9 +446,8 @@ def filled(
     """
     names, by = chain or ([], np.empty(0))
     out = np.empty(first.shape if chain is None else (*first.shape, 3 + len(names)))
-    a, b = (np.ascontiguousarray(v).reshape(-1) for v in (first, second))
-    flat, slopes = out.reshape(-1), chain is not None
-    said = model.fill(wanted, a, b, flat, slopes, names, nan, warnings, progress)
+    pair, flat, slopes = (first.ravel(), second.ravel()), out.ravel(), chain is not None
+    said = model.fill(wanted, *pair, flat, slopes, names, nan, warnings, progress)
     if slopes:
         out = np.concatenate([out[..., :3], out[..., 3:] @ by], -1)
     return out, said

@@ -300,8 +300,8 @@ class Solution(Record):
 
     def to_columns(self) -> dict[str, Any]:
         """A row for each point, in the order of the last index."""
-        rows = {name: values.ravel() for name, values in self._arrays().items()}
-        return {n: v if v.dtype.kind in "fib" else v.tolist() for n, v in rows.items()}
+        arrays = self._arrays().items()
+        return {name: column(values.ravel().tolist()) for name, values in arrays}
 
     def to_pandas(self) -> pandas.DataFrame:
         """The same as a ``pandas.DataFrame``, with the index of the Series that was asked."""
@@ -476,11 +476,10 @@ class Design(Record):
     @property
     def best(self: Any) -> Muscle:
         """The first of them."""
-        bundle = self.bundle
         muscles: list[Muscle] = self.muscles
-        if bundle and not self._asked[1].get("count"):
+        if self.bundle and not self._asked[1].get("count"):
             raise NoAnswerError(
-                f"one muscle is not enough: {bundle.muscles} side by side are",
+                f"one muscle is not enough: {self.bundle.muscles} side by side are",
                 hint="count=… allows a bundle",
             )
         if not muscles:
