@@ -12,12 +12,11 @@ from . import _api, _errors, _native
 from ._request import heard, place
 
 if TYPE_CHECKING:
-    from concurrent.futures import Executor, Future
-    from os import PathLike
+    from concurrent.futures import Executor
 
     import pandas
 
-    from ._request import FileLike, Json, Progress
+    from ._request import FileLike, Json, PathLike, Progress
 
 
 class Campaign(_api.CampaignCommands):
@@ -37,9 +36,7 @@ class Campaign(_api.CampaignCommands):
     Campaign('campaign.parquet', None)
     """
 
-    def __init__(
-        self, output: str | PathLike[str], plan: FileLike | None = None
-    ) -> None:
+    def __init__(self, output: PathLike, plan: FileLike | None = None) -> None:
         self.output: str = place("output", output)
         self.plan: Mapping[str, str] | None = None
         if isinstance(plan, Mapping):
@@ -94,7 +91,7 @@ def _on(
     os.makedirs(folder, exist_ok=True)
     stop = os.path.join(folder, f".stop-{os.urandom(8).hex()}")
     request |= {"plan": made.plan, "output": folder}
-    futures: list[Future[None]] = [
+    futures = [
         executor.submit(_shard, {**request, "shard": f"{i}/{shards}"}, stop)
         for i in range(1, shards + 1)
     ]
@@ -139,7 +136,7 @@ def _shard(request: Json, stop: str) -> None:
 
 def campaign(
     plan: FileLike,
-    output: str | PathLike[str],
+    output: PathLike,
     *,
     executor: Executor | None = None,
     shards: int = 64,

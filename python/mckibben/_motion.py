@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
@@ -37,7 +37,7 @@ from ._request import (
 )
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
     from typing_extensions import Self, Unpack
 
     from ._request import (
@@ -48,6 +48,7 @@ if TYPE_CHECKING:
         Named,
         Number,
         Numbers,
+        PathLike,
         Progress,
         TableLike,
     )
@@ -67,7 +68,7 @@ _COMMANDS = {
 
 def _table(of: str, given: Any) -> Json:
     """A table of a file. A number carries its unit in the key, and in the file it is a text with that unit; a tuple of two is bounds, of pairs the first are times."""
-    out: Json = {}
+    out = {}
     for name, value in checked(of, given, Mapping).items():
         if value is None:
             continue
@@ -139,7 +140,7 @@ class _File(Fixed):
 
     def _beside(self) -> dict[str, str]:
         """The texts of the other files by their names."""
-        files: list[Any] = []
+        files = []
         for kind, held in self._held.items():
             if kind != self._kind and held:
                 files += held if isinstance(held, list) else [held]
@@ -162,7 +163,7 @@ class _File(Fixed):
     def _key(self) -> Any:
         return self.to_toml(), tuple(sorted(self._beside().items()))
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> Any:
         return type(self)._of, (self._held,)
 
     def __repr__(self) -> str:
@@ -213,11 +214,11 @@ class Joint(_api.JointCommands, _File):
         geometry_2: Keys | None = None,
         **tables: Keys | str | None,
     ) -> None:
-        made: Any = {"joint": _table("joint", joint), **_tables(tables)}
+        made = {"joint": _table("joint", joint), **_tables(tables)}
         if type(joint.get("radius")) in (int, float):
             hint = 'radius_mm=25, or "radius": "25 mm"'
             raise InputError("has no unit", field="radius", hint=hint)
-        muscles: Any = {}
+        muscles = {}
         of_both = _table("", {"contraction_at_neutral": contraction_at_neutral})
         for side, muscle, geometry in (
             (1, checked("muscle_1", muscle_1, Muscle), geometry_1),
@@ -247,7 +248,7 @@ class Joint(_api.JointCommands, _File):
         slopes: bool,
         errors: str,
         options: Named,
-    ) -> tuple[Any, Any, Callable[[str, Any], Any]]:
+    ) -> tuple[Any, Any, Any]:
         """The torque, its derivatives by pressures and angle in rad, and what puts the labels on both."""
         native, muscles = self._parts
         several = list(pressures_mpa) if np.iterable(pressures_mpa) else []
@@ -537,7 +538,7 @@ class Simulation:
 
     def __init__(
         self,
-        drive: Drive | str | os.PathLike[str],
+        drive: Drive | PathLike,
         dt_s: float,
         *,
         record: bool = True,
@@ -565,7 +566,7 @@ class Simulation:
 
     def step(
         self,
-        command: Number | Sequence[Number] | NDArray[np.floating[Any]],
+        command: Number | Numbers,
         *,
         force_n: Number = 0.0,
         torque_nm: Number = 0.0,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from contextlib import suppress
@@ -41,7 +40,16 @@ if TYPE_CHECKING:
     from typing_extensions import Self, Unpack
 
     from ._parts import Formula, Rubber
-    from ._request import Array, Errors, Floats, Json, Named, Number, Progress
+    from ._request import (
+        Array,
+        Errors,
+        Floats,
+        Json,
+        Named,
+        Number,
+        PathLike,
+        Progress,
+    )
 
 
 # Measures of a muscle, as :meth:`Muscle.replace` has them, by which there are derivatives.
@@ -203,7 +211,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         name, *pair = _api.NUMBERS[wanted]
         (a, b), labelled = arrays(*zip(pair, (a, b)))
         flag = isinstance(jac, (bool, np.bool_))
-        names: Any = [] if flag else [jac] if isinstance(jac, str) else jac
+        names = [] if flag else [jac] if isinstance(jac, str) else jac
         if not isinstance(names, Collection) or not all(
             isinstance(n, str) for n in names
         ):
@@ -366,7 +374,7 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
 
     def report(
         self,
-        path: str | os.PathLike[str] | None = None,
+        path: PathLike | None = None,
         *,
         pressure_mpa: Number | None = None,
         contraction: Number | None = None,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Literal, TypeVar, overload
 
@@ -17,7 +16,7 @@ from ._request import Saved, array, arrays, bare, is_nan, listed, numpy as np, p
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from ._request import Array, Errors, Floats, Number, Plain
+    from ._request import Array, Errors, Floats, Number, PathLike, Plain
 
     Kind = TypeVar("Kind")
 
@@ -92,7 +91,7 @@ class Rubber(Saved):
 
     def replace(self, **constants: Plain) -> Rubber:
         """The same with other constants."""
-        given: dict[str, Any] = {**self.to_dict(), **constants}
+        given = {**self.to_dict(), **constants}
         return Rubber(**given)
 
     def stress(
@@ -247,7 +246,7 @@ class Formula(Saved):
 
     _key = to_json
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> Any:
         return Formula, (self._text, self.name)
 
     def __repr__(self) -> str:
@@ -259,10 +258,10 @@ class Formula(Saved):
 
 
 @overload
-def load(path: str | os.PathLike[str]) -> Any: ...
+def load(path: PathLike) -> Any: ...
 @overload
-def load(path: str | os.PathLike[str], kind: type[Kind]) -> Kind: ...
-def load(path: str | os.PathLike[str], kind: type[Any] = object) -> Any:
+def load(path: PathLike, kind: type[Kind]) -> Kind: ...
+def load(path: PathLike, kind: type[Any] = object) -> Any:
     """What ``save()`` wrote or a person did: a muscle, a rubber, a joint or a drive (TOML), a formula or an answer (JSON); a muscle of the library by ``lib:NAME``.
 
     Parameters
@@ -291,7 +290,7 @@ def load(path: str | os.PathLike[str], kind: type[Any] = object) -> Any:
         if text.lstrip().startswith("{"):
             try:
                 answer = json.loads(text)
-                made: type[Record] = getattr(_api, answer.get("mckibben", ""), Record)
+                made = getattr(_api, answer.get("mckibben", ""), Record)
                 found = (
                     Formula(text)
                     if made is Record

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -25,7 +24,7 @@ if TYPE_CHECKING:
 
     from ._muscle import Muscle
     from ._parts import Formula, Rubber
-    from ._request import Array, Json, Named
+    from ._request import Array, Json, Named, PathLike
 else:
 
     def dataclass_transform(**_: Any) -> Any:
@@ -117,7 +116,7 @@ class Record(Fixed):
             data["figure"] = figure.to_dict()
         return data, self._asked
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> Any:
         return type(self)._read, self._state()
 
     def _key(self) -> Any:
@@ -290,7 +289,7 @@ class Solution(Record):
     def to_dict(self) -> dict[str, Any]:
         """Plain lists by name; None where a point does not have a number."""
         none: Any = None
-        out: Json = {"model": self.model, "warnings": self.warnings}
+        out = {"model": self.model, "warnings": self.warnings}
         for name, values in self._arrays().items():
             if values.dtype.kind == "f":
                 # Zeros without a sign.
@@ -317,7 +316,7 @@ class Solution(Record):
         arrays = self._arrays()
         p, e = arrays["pressure_mpa"], arrays["contraction"]
         is_plain = self._labelled is None
-        whole: Any = xr.DataArray(p if is_plain else self._labelled)
+        whole = xr.DataArray(p if is_plain else self._labelled)
         dims, coords = list(whole.dims), dict(whole.coords)
         pairs = ("pressure_mpa", p, e), ("contraction", e, p)
         for name, own, other in pairs if is_plain else ():
@@ -453,7 +452,7 @@ class RubberFit(Record):
             raise NoAnswerError("no law is stable in a muscle", hint="name one")
         # The first of a law's name, which may be fitted in several ways.
         found = {key: of for of in self.laws[::-1] for key in (of.law, of.name)}[name]
-        constants: dict[str, Any] = {p.name: p.value for p in found.parameters}
+        constants = {p.name: p.value for p in found.parameters}
         if found.law == "ogden":
             # Its terms are in lists: mu1, mu2 are mu = […].
             constants = {
@@ -496,9 +495,7 @@ class Design(Record):
 class Files(Record):
     """An answer of files."""
 
-    def write(
-        self: Any, folder: str | os.PathLike[str], *, overwrite: bool = False
-    ) -> Path:
+    def write(self: Any, folder: PathLike, *, overwrite: bool = False) -> Path:
         """Writes the files into a folder, and gives the one to begin with. Another file that is there is replaced only with ``overwrite``."""
         from base64 import b64decode
         from pathlib import Path

@@ -52,8 +52,9 @@ if TYPE_CHECKING:
     Plain = Union[None, bool, Number, Numbers, Sequence["Plain"], Mapping[str, "Plain"]]
     # What a model is asked for: anything that NumPy reads as numbers, texts with a unit, quantities of pint.
     Floats = ArrayLike | Number | Numbers
+    PathLike = str | os.PathLike[str]
     # A path, or the content of the file as {"name": …, "text": …}.
-    FileLike = str | os.PathLike[str] | Mapping[str, str]
+    FileLike = PathLike | Mapping[str, str]
     # The same, or a data frame, an answer with a table, or columns by name.
     TableLike = Any
     FormulaLike = Union[FileLike, Formula]
@@ -96,7 +97,7 @@ class Fixed:
     def _saved(self, path: Any) -> Any:
         return {path: self._key()}
 
-    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
+    def save(self, path: PathLike, *, overwrite: bool = False) -> None:
         """Writes its file, and beside it those that it names, from which :func:`load` reads it again. Other files that are there are replaced only with ``overwrite``."""
         put(self._saved(path), overwrite)
 
@@ -116,7 +117,7 @@ class Fixed:
 class Saved(Fixed):
     """An object whose key is the text of its file."""
 
-    def __reduce__(self: Any) -> tuple[Any, ...]:
+    def __reduce__(self: Any) -> Any:
         return type(self).from_toml, (self._key(),)
 
 
@@ -191,7 +192,7 @@ def array(name: str, value: Any) -> Array:
     """Numbers in the unit of a name, without a copy where they are such already; masked ones stay masked."""
     if isinstance(value, str):
         several = ".." in value or "," in value
-        read: Any = _native.quantities if several else _native.quantity
+        read = _native.quantities if several else _native.quantity
         return np.asarray(read(name, value), np.float64)
     own, value = value, bare(name, value)
     if hasattr(value, "is_symbolic"):
@@ -203,10 +204,10 @@ def array(name: str, value: Any) -> Array:
         v is None or isinstance(v, str) or hasattr(v, "magnitude") for v in items
     ):
         value = [np.nan if item is None else number(name, item) for item in items]
-    given: Any = (np.asanyarray if np.ma.isMA(value) else np.asarray)(value)
+    given = (np.asanyarray if np.ma.isMA(value) else np.asarray)(value)
     if given.dtype.kind not in "fiu":
         raise wrong_type(name, _NUMBERS, value)
-    out: Array = np.require(given, np.float64, "A")
+    out = np.require(given, np.float64, "A")
     highest = float(np.nanmax(np.ma.filled(out, 0.0), initial=0.0))
     if value is own and (said := _native.unlikely(name, highest)):
         warned(said)
@@ -231,7 +232,7 @@ def arrays(
             for name, value in given
         ]
         try:
-            values: Any = xr.broadcast(*xr.align(*held, join="exact"))
+            values = xr.broadcast(*xr.align(*held, join="exact"))
         except ValueError as error:
             raise InputError(str(error), field=given[0][0]) from None
         own = values[0]
@@ -242,7 +243,7 @@ def arrays(
             return xr.DataArray(found, own.coords, dims, name, units)
 
         return [array(n, v.values) for (n, _), v in zip(given, values)], labelled
-    first: Any = None
+    first = None
     for name, value in given:
         # An index of pandas has no index.
         if hasattr(value, "to_frame") and hasattr(value, "index"):
@@ -255,7 +256,7 @@ def arrays(
         np.broadcast_shapes(*(values.shape for values in found))
     except ValueError as error:
         raise InputError(str(error), field=given[-1][0]) from None
-    mask: Any = None
+    mask = None
     if any(map(np.ma.isMA, found)):
         mask = sum(np.ma.getmaskarray(values) for values in found) > 0
         found = [np.where(mask, missing, np.ma.getdata(values)) for values in found]
@@ -345,7 +346,7 @@ def answered(
 
 def fields(given: Named) -> Json:
     """Arguments as the fields of a request; what is not given is left to the program."""
-    out: Json = {}
+    out = {}
     for argument, value in given.items():
         name = argument.rstrip("_")
         if value is None:
