@@ -37,6 +37,7 @@ from ._request import (
 )
 
 if TYPE_CHECKING:
+    import pandas
     from numpy.typing import ArrayLike
     from typing_extensions import Self, Unpack
 
@@ -653,7 +654,9 @@ class Simulation:
         rows = self._native.rows().reshape(-1, len(self._names))
         return dict(zip(self._names, rows.T))
 
-    to_pandas = State.to_pandas
+    def to_pandas(self) -> pandas.DataFrame:
+        """The same as a ``pandas.DataFrame``."""
+        return State.to_pandas(self)
 
     def __repr__(self) -> str:
         kind, count, is_joint = self._native.commands
