@@ -39,9 +39,9 @@ class MckibbenError(Exception):
         self.__dict__.update(known)
 
     def __str__(self) -> str:
-        at = f"point {self.index}: " if self.index is not None else ""
-        place = f"{self.field}: " if self.field else ""
-        return f"{at}{place}{self.message}" + (f" ({self.hint})" if self.hint else "")
+        at = None if self.index is None else f"point {self.index}"
+        said = ": ".join(filter(None, (at, self.field, self.message)))
+        return f"{said} ({self.hint})" if self.hint else said
 
 
 class InputError(MckibbenError, ValueError):
@@ -152,8 +152,8 @@ def of(values: dict[str, Any]) -> MckibbenError:
         values |= {"field": ARGUMENTS.get(name, name), "message": rest}
         if name not in TABLES:
             values["kind"] = "usage"
-    elif re.search(r"\(os error 2\)|does not exist", message):
-        kind = MissingFileError if kind is FileError else kind
+    elif kind is FileError and re.search(r"\(os error 2\)|does not exist", message):
+        kind = MissingFileError
     elif values["kind"] == "file" and not re.match(r"(\w:)?[^:]*\.\w+:", message):
         # Of what keywords make, without a file.
         kind = InputError

@@ -78,9 +78,8 @@ else:
 
     np = numpy = _NumPy()
 
-# Arguments of a model beside its name, and those that a design searches through.
-MODEL = ("mesh", "match", "terminal")
 _NUMBERS = "numbers, a text with its unit or quantities of pint"
+# What a design searches through.
 CHOICES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "radius_mm")
 
 
@@ -352,11 +351,12 @@ def fields(given: Named) -> Json:
         if value is None:
             continue
         if name in TABLES:
-            several = isinstance(value, (list, tuple))
             with blamed(name):
-                held = [table(item, name) for item in (value if several else [value])]
-            # The program takes one for a list of one.
-            out[name] = held[0] if len(held) == 1 else held
+                out[name] = (
+                    [table(item, name) for item in value]
+                    if isinstance(value, (list, tuple))
+                    else table(value, name)
+                )
         elif name in CHOICES and isinstance(value, tuple) and len(value) == 2:
             out[name] = dict(zip(("low", "high"), plain(name, value)))
         else:
@@ -368,7 +368,7 @@ def modelled(given: Named, command: str = "force") -> Json:
     """Arguments, those of the model as the one object that the request of a command has, and the branch under its field."""
     out = dict(given)
     model = {"name": out.pop("model", None)}
-    model |= {name: out.pop(name, None) for name in MODEL}
+    model |= {n: out.pop(n, None) for n in ("mesh", "match", "terminal")}
     branch = out.pop("branch", None)
     by = "branches" if command == "identify" else "direction"
     if (command, branch) == ("curve", "both"):
@@ -440,11 +440,9 @@ def table(value: Any, name: str = "data") -> dict[str, str]:
     """A table: a path, its text, a data frame, an answer, or columns by name."""
     if isinstance(value, Mapping) and set(value) == {"name", "text"}:
         return dict(value)
-    return (
-        _native.read(value, "table")
-        if isinstance(value, (str, os.PathLike))
-        else {"name": name, "text": to_csv(value, name)}
-    )
+    if isinstance(value, (str, os.PathLike)):
+        return _native.read(value, "table")
+    return {"name": name, "text": to_csv(value, name)}
 
 
 def column(values: Sequence[Any]) -> Any:
