@@ -55,8 +55,7 @@ if TYPE_CHECKING:
     )
 
     # What a key of a joint or drive file may hold.
-    Key = Number | Numbers | bool | Sequence[Sequence[Number]]
-    Keys = Mapping[str, Key]
+    Keys = Mapping[str, Number | Numbers | bool | Sequence[Sequence[Number]]]
 
 # Units of commands, by what is commanded.
 _COMMANDS = {

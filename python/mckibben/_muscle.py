@@ -54,8 +54,6 @@ if TYPE_CHECKING:
 
 # Measures of a muscle, as :meth:`Muscle.replace` has them, by which there are derivatives.
 MEASURES = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "stiffness")
-# A pressure in MPa above which a bare number was likely meant in bar.
-_LIKELY_MPA = 1.0
 # Types of a single number.
 _ONE = (float, int)
 
@@ -196,9 +194,10 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         bound = self._bound(options)
         a, b = (v if type(v) in _ONE else _plain(v) for v in (a, b))
         if jac is False and progress is None and type(a) in _ONE and type(b) in _ONE:
-            stated = {"force": a, "contraction": b}.get(wanted, 0.0)
-            if stated > _LIKELY_MPA:
-                number("pressure_mpa", stated)
+            pressure = {"force": a, "contraction": b}.get(wanted, 0.0)
+            # Likely meant in bar.
+            if pressure > 1.0:
+                number("pressure_mpa", pressure)
             # A context takes a third of the time of all this.
             try:
                 found, said = bound.answer_pair(wanted, a, b, nan)

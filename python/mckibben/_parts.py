@@ -10,7 +10,6 @@ from . import _api, _native
 from ._motion import Drive, Joint
 from ._muscle import Muscle
 from ._errors import FileError, InputError, blamed, checked, wrong_type
-from ._record import Record
 from ._request import Saved, array, arrays, bare, is_nan, listed, numpy as np, place
 
 if TYPE_CHECKING:
@@ -286,17 +285,15 @@ def load(path: PathLike, kind: type[Any] = object) -> Any:
     with blamed("path"):
         held = _native.read(path, "muscle" if is_named else "table")
         text = held["text"]
-        found: Any
         if text.lstrip().startswith("{"):
             try:
-                answer = json.loads(text)
-                made = getattr(_api, answer.get("mckibben", ""), Record)
-                found = (
-                    Formula(text)
-                    if made is Record
-                    else made._read(answer["data"], answer["asked"])
-                )
-            except (KeyError, json.JSONDecodeError) as error:
+                held = json.loads(text)
+                if "mckibben" in held:
+                    kind_of = getattr(_api, held["mckibben"])
+                    found = kind_of._read(held["data"], held["asked"])
+                else:
+                    found = Formula(text)
+            except (AttributeError, KeyError, json.JSONDecodeError) as error:
                 raise FileError(f"{path}: not what was saved: {error}") from None
         elif text.startswith("[tube.material]"):
             # A muscle that was saved begins with a comment.
