@@ -707,7 +707,7 @@ def rollout(
     if kind == "pressure" and given.size:
         number("pressure_mpa", float(given.max()))
     copies, steps, _ = given.shape
-    out = np.empty((copies, steps + 1, len(simulation._names)))
+    out = np.tile(native.last(), (copies, steps + 1, 1))
     if given.size:
         rows = np.ascontiguousarray(given).reshape(-1, count)
         how = is_nan(errors), heard(progress, "rollout")

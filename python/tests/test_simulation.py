@@ -222,6 +222,10 @@ def test_a_rollout_is_its_copies(drive: Any) -> None:
     )
     with pytest.raises(ValueError):
         mk.rollout(simulation, commands[..., :0])
+    # Without a step each copy is at its start.
+    assert mk.rollout(simulation, commands[:, :0])["time_s"].tolist() == [
+        [state.time_s]
+    ] * len(commands)
 
 
 def test_forces_from_outside(root: Path) -> None:
