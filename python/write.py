@@ -30,7 +30,7 @@ Fields = dict[str, Schema]
 
 # Commands as functions, and as methods of a muscle, a joint and a drive, with what may be given without its keyword: with `!` what must be, with `=` what
 # it is else.
-COMMANDS: dict[str, dict[str, str]] = {
+COMMANDS = {
     "MuscleCommands": {
         "curve": "test=isobaric",
         "simulate": "test=isobaric",
@@ -451,9 +451,9 @@ def keywords(name: str, about: str, fields: Fields) -> str:
     return class_of(f"{name}(TypedDict, total=False)", about, made, fields)
 
 
-def answers() -> dict[str, tuple[Schema, str | None]]:
-    """All records, by name: those of commands, and those to which they refer."""
-    out: dict[str, tuple[Schema, str | None]] = {}
+def answers() -> Fields:
+    """All records, by name, each as its schema and its table: those of commands, and those to which they refer."""
+    out: Fields = {}
 
     def reach(schema: Schema) -> None:
         for name in re.findall(r"#/\$defs/(\w+)", json.dumps(schema)):

@@ -96,7 +96,7 @@ def checked(field: str, value: Any, *kinds: type) -> Any:
 
 
 # Words of JSON whose class is not InputError.
-KINDS: dict[str, type[MckibbenError]] = {
+KINDS = {
     "out_of_range": OutOfRangeError,
     "no_answer": NoAnswerError,
     "not_converged": NotConvergedError,
