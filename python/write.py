@@ -325,8 +325,7 @@ def function(command: str, owner: str) -> str:
     if held["long"] or command == "curve":
         fields["progress"] = {"description": TEXTS["Progress"]}
     own = {"figure", *OWN.get(owner, "").split()}
-    order = dict.fromkeys([*first, *fields])
-    fields = {n: fields[n] for n in order if n not in own}
+    fields = {n: fields[n] for n in {**first, **fields} if n not in own}
     made = [parameter(n, field, first.get(n, "")) for n, field in fields.items()]
     if len(made) > len(first):
         made.insert(len(first), "*")

@@ -6,6 +6,7 @@ import json
 import re
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -127,10 +128,11 @@ class Record(Fixed):
 
     def _repr_html_(self) -> str:
         from html import escape
-        from importlib.util import find_spec
 
-        has_table = self._rows and find_spec("pandas")
-        table = self.to_pandas().to_html(max_rows=20) if has_table else ""
+        table = ""
+        # Where it has one, and pandas is there.
+        with suppress(ImportError, TypeError):
+            table = self.to_pandas().to_html(max_rows=20)
         return f"<pre>{escape(str(self))}</pre>{table}"
 
     def plot(
