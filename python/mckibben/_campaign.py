@@ -38,12 +38,10 @@ class Campaign(_api.CampaignCommands):
 
     def __init__(self, output: PathLike, plan: FileLike | None = None) -> None:
         self.output: str = place("output", output)
-        self.plan: Mapping[str, str] | None = None
-        if isinstance(plan, Mapping):
-            self.plan = plan
-        elif plan is not None:
+        if plan is not None and not isinstance(plan, Mapping):
             with _errors.blamed("plan"):
-                self.plan = _native.read(place("plan", plan), "text")
+                plan = _native.read(place("plan", plan), "text")
+        self.plan: Mapping[str, str] | None = plan
 
     @property
     def _parts(self) -> str:

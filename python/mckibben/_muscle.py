@@ -384,9 +384,14 @@ class Muscle(_api.MuscleFields, _api.MuscleNumbers, _api.MuscleCommands, Saved):
         """A report of the muscle as one HTML page for reading offline; written to ``path`` if one is given. Another file that is there is replaced only
         with ``overwrite``.
         """
-        point = {"pressure_mpa": pressure_mpa, "contraction": contraction}
         asked = fields(
-            {**self._files("build"), **point, "units": units, "report": True}
+            {
+                **self._files("build"),
+                "pressure_mpa": pressure_mpa,
+                "contraction": contraction,
+                "units": units,
+                "report": True,
+            }
         )
         page = _native.page_html("build", asked, heard(progress, "build"))
         if path is not None:

@@ -403,8 +403,8 @@ class Fit(Record):
         from ._parts import Formula
 
         held = self.to_dict()
-        for name in {"tables", "figures"} & set(held):
-            del held[name]
+        for name in ("tables", "figures"):
+            held.pop(name, None)
         text = json.dumps(held, ensure_ascii=False, indent=2) + "\n"
         return Formula(text, held["name"])
 
