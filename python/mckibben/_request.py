@@ -351,12 +351,11 @@ def fields(given: Named) -> Json:
         if value is None:
             continue
         if name in TABLES:
+            items = value if isinstance(value, (list, tuple)) else [value]
             with blamed(name):
-                out[name] = (
-                    [table(item, name) for item in value]
-                    if isinstance(value, (list, tuple))
-                    else table(value, name)
-                )
+                held = [table(item, name) for item in items]
+            # The program takes one for a list of one.
+            out[name] = held[0] if len(held) == 1 else held
         elif name in CHOICES and isinstance(value, tuple) and len(value) == 2:
             out[name] = dict(zip(("low", "high"), plain(name, value)))
         else:
