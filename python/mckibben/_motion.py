@@ -596,6 +596,8 @@ class Simulation:
             said = "torque_nm is for a joint, force_n for a muscle"
             raise WrongTypeError(said, field=other[0])
         outside, unit = number(*own), _COMMANDS[kind]
+        if is_joint and kind == "position":
+            unit = "angle_deg"
         values = [
             v if type(v) is float and v <= 1.0 else number(unit, v) for v in given
         ]

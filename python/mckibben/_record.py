@@ -355,7 +355,7 @@ class JointSolution(Record):
         return held.reshape(-1, len(set(self["angle_deg"])))
 
     def to_xarray(self) -> xarray.Dataset:
-        """A Dataset over sets of pressures (``case``) and angles, with the units as attributes."""
+        """A Dataset over sets of pressures (``case``) and angles, with the units as attributes; not of rests, each of which has an angle of its own."""
         import xarray as xr
 
         held = {n: (("case", "angle_deg"), self.grid(n)) for n in self.to_columns()}

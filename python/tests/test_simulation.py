@@ -302,6 +302,20 @@ def test_a_step_takes_numbers_of_any_kind(root: Path) -> None:
         elbow.step([2.0, 1.0])
 
 
+def test_the_position_of_a_joint_is_an_angle(root: Path, tmp_path: Path) -> None:
+    valve = (root / ELBOW).read_text().partition("[command]")[0]
+    joint = root / "examples/elbow.toml"
+    (tmp_path / "held.toml").write_text(
+        valve.replace("elbow.toml", joint.as_posix())
+        + '[controller]\nproportional = "5 bar/rad"\nbias = "2 bar"\n'
+        + '[command]\nposition = "0 deg"\nuntil = "1 s"\n'
+    )
+    elbow = mk.Simulation(tmp_path / "held.toml", 0.01, model="universal")
+    number, text = elbow.copy().step(5.0), elbow.copy().step("5 deg")
+    assert number == text
+    assert elbow.step("0.01 rad").angle_deg < number.angle_deg
+
+
 def test_what_is_wrong_leaves_it_where_it_was(root: Path) -> None:
     elbow = mk.Simulation(root / ELBOW, 0.01, model="universal")
     elbow.step([0.2, 0.1])
