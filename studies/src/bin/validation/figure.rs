@@ -1,7 +1,7 @@
 //! The figure of the measured muscles: points, and the model with the constants of the first fit.
 
 use crate::report::Fitted;
-use mckibben_core::{extremes::peak, model::Workspace};
+use mckibben_core::{extremes::peak, model::Workspace, units::tidy};
 use mckibben_fit::{
     identify::{Build, Section},
     measured::{DataPoint, distinct, mean_of_data, same},
@@ -45,29 +45,23 @@ pub fn figure(all: &[Fitted<'_>], model: &str, build: &Build<'_>) -> Figure {
     figure.columns(2)
 }
 
-fn panel(title: String, points: &[&DataPoint], of: &Fitted<'_>, build: &Build<'_>) -> Panel {
-    let pressures = distinct(points.iter().map(|p| p.at.pressure_mpa));
+fn panel(mut title: String, points: &[&DataPoint], of: &Fitted<'_>, build: &Build<'_>) -> Panel {
+    let mut pressures = distinct(points.iter().map(|p| p.at.pressure_mpa));
     let all = pressures.len();
-    let shown: Vec<f64> = match all {
-        n if n <= CURVES => pressures,
-        _ => (1..=CURVES)
-            .map(|i| pressures[i * (all - 1) / CURVES])
-            .collect(),
-    };
-    let some = if shown.len() < all {
-        format!(" ({} of {all} pressures)", shown.len())
-    } else {
-        String::new()
-    };
+    if all > CURVES {
+        let shown = (1..=CURVES).map(|i| pressures[i * (all - 1) / CURVES]);
+        pressures = shown.collect();
+        title += &format!(" ({CURVES} of {all} pressures)");
+    }
     let contraction = Axis::new("contraction ratio ε [–]").from_zero();
     let pull = Axis::new("pull F [N]").from_zero();
-    let mut panel = Panel::new(contraction, pull).title(title + &some);
+    let mut panel = Panel::new(contraction, pull).title(title);
     let muscle = points
         .first()
         .and_then(|p| p.section.apply(&of.muscle).ok());
     let model = muscle.and_then(|m| build(&m).ok());
     let mut workspace = Workspace::new();
-    for (n, &pressure) in shown.iter().enumerate() {
+    for (n, &pressure) in pressures.iter().enumerate() {
         let at = || points.iter().filter(|p| same(p.at.pressure_mpa, pressure));
         let end = peak(at().map(|p| p.at.contraction));
         let dots = at().map(|p| (p.at.contraction, p.at.force_n));
@@ -78,7 +72,7 @@ fn panel(title: String, points: &[&DataPoint], of: &Fitted<'_>, build: &Build<'_
             let force_n = model.force_n(&mut workspace, pressure, contraction).ok()?;
             (force_n >= 0.0).then_some((contraction, force_n))
         });
-        let line = Series::new("", line).end_label(format!("{pressure} MPa"));
+        let line = Series::new("", line).end_label(format!("{} MPa", tidy(pressure, 3)));
         panel = panel.series(line.colour(n));
     }
     panel
