@@ -63,7 +63,7 @@ function frame(name) {
   for (const a of places) a.ariaCurrent = a.dataset.place === place ? "page" : null;
   views.hidden = list.length < 2;
   views.replaceChildren(
-    ...(views.hidden ? [] : list).map(({ name: view, text }) =>
+    ...list.map(({ name: view, text }) =>
       el("a", { "data-name": view, href: `#${view}`, ariaCurrent: view === name && "page" }, text),
     ),
   );
@@ -134,8 +134,7 @@ async function route() {
     // What a page has put into the address besides the muscle is its own.
     const theirs = name === "design" ? ["m"] : [...keys(), "u", "name"];
     keepWords(name, Object.fromEntries([...params].filter(([key]) => !theirs.includes(key))));
-    const { page } = /** @type {NonNullable<typeof shown>} */ (shown);
-    await page.load(params);
+    await shown?.page.load(params);
     if (mine !== routes) return;
     WINDOWS[wanted]?.();
   } catch (problem) {
