@@ -63,7 +63,7 @@ function frame(name) {
   for (const a of places) a.ariaCurrent = a.dataset.place === place ? "page" : null;
   views.hidden = list.length < 2;
   views.replaceChildren(
-    ...list.map(({ name: view, text }) =>
+    ...(views.hidden ? [] : list).map(({ name: view, text }) =>
       el("a", { "data-name": view, href: `#${view}`, ariaCurrent: view === name && "page" }, text),
     ),
   );
@@ -134,7 +134,8 @@ async function route() {
     // What a page has put into the address besides the muscle is its own.
     const theirs = name === "design" ? ["m"] : [...keys(), "u", "name"];
     keepWords(name, Object.fromEntries([...params].filter(([key]) => !theirs.includes(key))));
-    await shown?.page.load(params);
+    const { page } = /** @type {NonNullable<typeof shown>} */ (shown);
+    await page.load(params);
     if (mine !== routes) return;
     WINDOWS[wanted]?.();
   } catch (problem) {

@@ -108,7 +108,7 @@ export const measured = () => [...MEASURES, PRESSURE, CONTRACTION, LOAD];
 const NAMES = ["rubber", "braid"],
   WORDS = [...NAMES, "branch"];
 /** Stiffnesses that have a name. */
-export const STIFFNESS_NAMES = ["inextensible", "antonelli2018", "paper"];
+export const STIFFNESS_NAMES = ["inextensible", "antonelli2018"];
 
 /** The prototype at its usual point. @returns {State} */
 export const prototype = () => ({ file: "", said: {}, p: 0.25, e: 0.15, F: undefined });
