@@ -2,10 +2,9 @@
 """Makes and checks the files of a release.
 
     python3 checks/release.py                dry run: what runs here runs here; lists all that a release would publish
-    python3 checks/release.py archive        the archive of one target (--target, --tag, --out, --binary)
     python3 checks/release.py recipes        checksums, Homebrew formula and conda recipe (--dist, --tag, --repository)
 
-The workflow `release` runs the last two; the first is `python3 checks/long.py release`.
+The workflow `release` runs the second, after `packaging/build.sh` for each target; the first is `python3 checks/long.py release`.
 """
 
 import argparse
@@ -15,21 +14,9 @@ import os
 import re
 import shutil
 import subprocess
-import tarfile
-import tempfile
-import zipfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-FILES = [
-    "README.md",
-    "CHANGELOG.md",
-    "CITATION.cff",
-    "LICENSE-MIT",
-    "LICENSE-APACHE",
-    "NOTICE",
-]
-SHELLS = ["bash", "zsh", "fish", "powershell", "elvish"]
 
 
 def run(*line, **more):
@@ -51,73 +38,6 @@ def targets():
     return re.findall(
         r"target: ([\w-]+) \}", (ROOT / ".github/workflows/release.yml").read_text()
     )
-
-
-def archive(target, tag, out, binary=None):
-    """Program, completions, manual pages and licences of a target; the archive is unpacked again and its program used."""
-    windows = "windows" in target
-    program = Path(
-        binary or ROOT / f"target/{target}/release/mckibben{'.exe' if windows else ''}"
-    ).resolve()
-    said = run(program, "--version").split()[1]
-    if f"v{said}" != tag:
-        raise SystemExit(f"the tag is {tag}, and the program is version {said}")
-    name = f"mckibben-{tag}-{target}"
-    out.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory() as work:
-        folder = Path(work) / name
-        (folder / "completions").mkdir(parents=True)
-        shutil.copy2(program, folder / f"mckibben{program.suffix}")
-        for file in FILES:
-            shutil.copy2(ROOT / file, folder)
-        for shell in SHELLS:
-            (folder / "completions" / f"mckibben.{shell}").write_text(
-                run(program, "completions", shell), "utf-8"
-            )
-        run(program, "man", "-o", folder / "man/man1")
-        path = out / f"{name}{'.zip' if windows else '.tar.gz'}"
-        if windows:
-            with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as packed:
-                for file in sorted(folder.rglob("*")):
-                    packed.write(file, file.relative_to(work))
-        else:
-            with tarfile.open(path, "w:gz") as packed:
-                packed.add(folder, name)
-        again = Path(work) / "again"
-        shutil.unpack_archive(path, again)
-        unpacked = again / name / folder.joinpath(f"mckibben{program.suffix}").name
-        answer = json.loads(
-            run(
-                unpacked,
-                "design",
-                "--force",
-                "700N",
-                "--contraction",
-                "15%",
-                "--max-pressure",
-                "2.5bar",
-                "--format",
-                "json",
-                cwd=work,
-            )
-        )
-        assert answer["candidates"], "the program of the archive finds no muscle"
-        held = sorted(
-            str(file.relative_to(again / name))
-            for file in (again / name).rglob("*")
-            if file.is_file()
-        )
-    missing = [
-        file
-        for file in [
-            *FILES,
-            "man/man1/mckibben.1",
-            *(f"completions/mckibben.{shell}" for shell in SHELLS),
-        ]
-        if file not in held
-    ]
-    assert not missing, missing
-    return path, held
 
 
 def recipes(dist, tag, repository):
@@ -204,15 +124,18 @@ def dry_run(binary):
     print(
         f"a release {tag} would publish\n\narchives, each checked by its own program:"
     )
-    path, held = archive(host, tag, out, binary)
+    program = binary or ROOT / f"target/{host}/release/mckibben"
+    made, *held = run(
+        "bash", ROOT / "packaging/archive.sh", host, program, out
+    ).splitlines()
     for target in targets():
-        made = (
-            f"{path.stat().st_size / 1e6:.1f} MB, made here"
+        size = (
+            f"{Path(made).stat().st_size / 1e6:.1f} MB, made here"
             if target == host
             else "made by its runner"
         )
         print(
-            f"  mckibben-{tag}-{target}{'.zip' if 'windows' in target else '.tar.gz'}  ({made})"
+            f"  mckibben-{tag}-{target}{'.zip' if 'windows' in target else '.tar.gz'}  ({size})"
         )
     print(
         f"  each with {len(held)} files: "
@@ -244,17 +167,14 @@ def main():
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     words.add_argument(
-        "task", nargs="?", default="dry-run", choices=["dry-run", "archive", "recipes"]
+        "task", nargs="?", default="dry-run", choices=["dry-run", "recipes"]
     )
-    for flag in ["target", "tag", "repository", "binary"]:
+    for flag in ["tag", "repository", "binary"]:
         words.add_argument(f"--{flag}")
-    words.add_argument("--out", type=Path)
     words.add_argument("--dist", type=Path)
     given = words.parse_args()
-    if given.task == "archive":
+    if given.task == "recipes":
         agreed()
-        print(*archive(given.target, given.tag, given.out, given.binary)[:1])
-    elif given.task == "recipes":
         recipes(given.dist, given.tag, given.repository)
     else:
         dry_run(given.binary or os.environ.get("MCKIBBEN"))
