@@ -60,6 +60,15 @@ TBD
     export SDKROOT=$work/kit
 }
 
+# Wine before version 9 is without the library from which Rust has random numbers (for the order of its hash maps, which no answer depends on).
+for_wine() {
+    command -v wine >/dev/null || return 0
+    mkdir -p "$work/dll"
+    echo '__declspec(dllexport) int ProcessPrng(unsigned char *p, unsigned long long n) { while (n) p[--n] = (unsigned char)(37 * n); return 1; }' >"$work/dll/prng.c"
+    "$tools/python" -m ziglang cc -target x86_64-windows-gnu -shared "$work/dll/prng.c" -o "$work/dll/bcryptprimitives.dll"
+    export WINEPATH=$work/dll
+}
+
 # What is common to all commands of a target: `zig`, the words for maturin and its platform, what runs its program here
 of() {
     rustup target list --installed | grep -qx "$1" || rustup target add "$1"
@@ -81,11 +90,11 @@ of() {
 }
 
 # The program of a target in its archive; it runs where this computer can run it: itself, by qemu-aarch64 with libc6-arm64-cross, by wine
-# (one that has bcryptprimitives.dll)
 compile() { cargo ${zig:+zig}build --quiet --locked --release --target "$1$suffix"; }
 archive() {
     local file found how="not run here"
     compile "$1"
+    case $runner in wine) for_wine ;; esac
     found=$(bash packaging/inspect.sh "$1" "$program")
     if [ "$1" = "$host" ]; then
         how="run here"
