@@ -199,6 +199,6 @@ done
 step "done"
 ls -l dist
 echo "built and inspected:$made"
+test -z "$missing" || fail "failed:$missing"
 of "$host"
 if [ -s "$wheel" ]; then echo "for this computer: pip install $wheel"; fi
-test -z "$missing" || fail "failed:$missing"
