@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # Wheels and archives of the program for five systems, inspected, in dist/.
 #
-#   packaging/build.sh              all five (on Linux, x86-64)
+#   packaging/build.sh              all five (on Linux)
 #   packaging/build.sh host         this computer
 #   packaging/build.sh TARGET...    some of them
 #   PARTS=wheel packaging/build.sh host     without the archive (PARTS=archive: without the wheel)
 #   TEST_SDIST=1 packaging/build.sh host    also builds and installs the source distribution in a fresh environment (some minutes)
 #
-# zig links for every target but those of macOS and Windows on their own systems: with the glibc of 2014, which nearly every Linux has, and without
-# the kits of Apple and Microsoft. The wheel of this computer is installed in a fresh environment, where the code of docs/python.md runs. Of the others
-# every file is inspected (packaging/inspect.sh), and pip resolves the wheel for its platform. A target that fails is named at the end.
+# From Linux zig links for all systems, without the kits of Apple and Microsoft, and with the glibc of 2014, which nearly every Linux has; MinGW links the
+# wheel for Windows. macOS and Windows build for themselves, with their own linkers. The wheel of this computer is installed in a fresh environment,
+# where the code of docs/python.md runs. Of the others every file is inspected (packaging/inspect.sh), and pip takes the wheel for its platform. A target
+# that fails is named at the end.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
@@ -108,11 +109,18 @@ archive() {
     echo "dist/${file##*/}, $(($(wc -c <"$file"))) bytes: $found; $how"
 }
 
-# The wheel of a target: its name, its files, its library, and that pip takes it for its platform. (The flag as in checks/wheel.sh: a function stands in
+# The wheel of a target: its name, its files, its library, and that pip takes it for its platform. For Windows maturin gives zig a list of exports with
+# the name of the module in its package, `PyInit_mckibben._native`, which no library has; there MinGW links. (The flag as in checks/wheel.sh: a function stands in
 # its callers only where that makes it smaller.)
 wheel() {
     local native one platforms= python found folder=$work/$1 size
     rm -f "$wheel"
+    case $host/$1 in
+    *-linux-*/*-windows-gnu)
+        zig=
+        command -v x86_64-w64-mingw32-gcc >/dev/null || fail "$1: the wheel needs x86_64-w64-mingw32-gcc (Debian's gcc-mingw-w64-x86-64)"
+        ;;
+    esac
     RUSTFLAGS="${RUSTFLAGS:-} -C llvm-args=-inline-threshold=5" maturin build --quiet --locked --strip --profile wheel --compression-level 9 \
         ${zig:+--zig} $words --target "$1" -o dist
     test -s "$wheel" || fail "$1: there is no $wheel"
