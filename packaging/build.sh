@@ -137,6 +137,7 @@ wheel() {
     one=$(cd "$folder" && find . -name '*.so' -o -name '*.pyd' -o -name '*.dll' -o -name '*.dylib')
     test "$one" = "./mckibben/$native" || fail "$wheel has other libraries: $one"
     for one in LICENSE-MIT LICENSE-APACHE NOTICE; do test -s "$folder/mckibben-$version.dist-info/licenses/$one" || fail "$wheel is without $one"; done
+    grep -aq PyInit__native "$folder/mckibben/$native" || fail "$wheel: $native exports no module"
     found=$(bash packaging/inspect.sh "$1" "$folder/mckibben/$native")
     echo "$wheel, $size bytes: $found"
 }
