@@ -9,7 +9,7 @@
 #
 # From Linux zig links for all systems, without the kits of Apple and Microsoft, and with the glibc of 2014, which nearly every Linux has; MinGW links the
 # wheel for Windows. macOS and Windows build for themselves, with their own linkers. The wheel of this computer is installed in a fresh environment,
-# where the code of docs/python.md runs. Of the others every file is inspected (packaging/inspect.sh), and pip takes the wheel for its platform. A target
+# where the code of docs/python.md runs. Of the others every file is inspected (packaging/inspect.py), and pip takes the wheel for its platform. A target
 # that fails is named at the end.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -96,7 +96,7 @@ archive() {
     local file found how="not run here"
     compile "$1"
     case $runner in wine) for_wine ;; esac
-    found=$(bash packaging/inspect.sh "$1" "$program")
+    found=$("$tools/python" packaging/inspect.py "$1" "$program")
     if [ "$1" = "$host" ]; then
         how="run here"
         file=$(bash packaging/archive.sh "$1" "$program" dist | sed -n 1p)
@@ -138,7 +138,7 @@ wheel() {
     test "$one" = "./mckibben/$native" || fail "$wheel has other libraries: $one"
     for one in LICENSE-MIT LICENSE-APACHE NOTICE; do test -s "$folder/mckibben-$version.dist-info/licenses/$one" || fail "$wheel is without $one"; done
     grep -aq PyInit__native "$folder/mckibben/$native" || fail "$wheel: $native exports no module"
-    found=$(bash packaging/inspect.sh "$1" "$folder/mckibben/$native")
+    found=$("$tools/python" packaging/inspect.py "$1" "$folder/mckibben/$native")
     echo "$wheel, $size bytes: $found"
 }
 
@@ -175,7 +175,7 @@ case $host in
 esac
 # In a place that stays: cargo compiles everything again for a linker from another place.
 tools=$(environment "${TOOLS:-$CARGO_TARGET_DIR/packaging}")
-grep -E '^(maturin|ziglang|cargo-zigbuild)=' python/requirements-build.txt >"$work/requirements.txt"
+grep -E '^(maturin|ziglang|cargo-zigbuild|lief)=' python/requirements-build.txt >"$work/requirements.txt"
 "$tools/python" -m pip install --quiet -r "$work/requirements.txt"
 export PATH="$tools:$PATH"
 mkdir -p dist
