@@ -22,7 +22,7 @@ version=$(sed -n '/^\[workspace.package\]/,/^\[/s/^version = "\(.*\)"/\1/p' Carg
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$root/target} PIP_DISABLE_PIP_VERSION_CHECK=1 PYTHONUTF8=1 WINEDEBUG=-all
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-export WINEPREFIX=$work/wine
+export WINEPREFIX=$CARGO_TARGET_DIR/packaging-wine
 step() { printf '== %s (%d s)\n' "$*" "$SECONDS"; }
 fail() {
     printf '%s\n' "$*" >&2
@@ -65,7 +65,7 @@ TBD
 for_wine() {
     command -v wine >/dev/null || return 0
     mkdir -p "$work/dll"
-    echo '__declspec(dllexport) int ProcessPrng(unsigned char *p, unsigned long long n) { while (n) p[--n] = (unsigned char)(37 * n); return 1; }' >"$work/dll/prng.c"
+    echo '__declspec(dllexport) int ProcessPrng(unsigned char *p, unsigned long long n) { while (n--) p[n] = (unsigned char)(37 * n); return 1; }' >"$work/dll/prng.c"
     "$tools/python" -m ziglang cc -target x86_64-windows-gnu -shared "$work/dll/prng.c" -o "$work/dll/bcryptprimitives.dll"
     export WINEPATH=$work/dll
 }
