@@ -152,7 +152,7 @@ page() {
     echo "docs/python.md: $(($(wc -l <"$work/expected"))) answers as on the page"
 }
 sdist() {
-    maturin sdist --quiet -o dist
+    maturin sdist -o dist
     test -n "${TEST_SDIST:-}" || return 0
     local own
     own=$(environment "$work/own")
