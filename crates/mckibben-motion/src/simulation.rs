@@ -200,16 +200,25 @@ impl Simulation {
     }
 
     /// Gauge pressure in a muscle in MPa, of that state; muscles are counted from 0.
+    ///
+    /// # Panics
+    /// Of a muscle that the drive does not have.
     pub fn pressure_mpa(&self, muscle: usize) -> f64 {
         last(&self.motion.series.muscles[muscle].pressure_mpa)
     }
 
     /// Contraction of a muscle, of that state.
+    ///
+    /// # Panics
+    /// Of a muscle that the drive does not have.
     pub fn contraction(&self, muscle: usize) -> f64 {
         last(&self.motion.series.muscles[muscle].contraction)
     }
 
     /// Pull of a muscle in N, with friction and viscoelasticity, of that state.
+    ///
+    /// # Panics
+    /// Of a muscle that the drive does not have.
     pub fn force_n(&self, muscle: usize) -> f64 {
         last(&self.motion.series.muscles[muscle].force_n)
     }
