@@ -106,7 +106,7 @@ pub fn model() -> Names<NameOrFile> {
         let name = text.trim();
         let path = Path::new(name);
         let is_file = name.to_ascii_lowercase().ends_with(".json")
-            || (name.parse::<Model>().is_err() && path.is_file());
+            || name.parse::<Model>().is_err() && path.is_file();
         Ok(if is_file {
             NameOrFile::File(TextFile::formula(path)?)
         } else {

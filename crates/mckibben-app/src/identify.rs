@@ -293,6 +293,8 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         two_sided: request.two_sided,
         history: request.branches == Branches::History,
     };
+    // A mesh that there is no room for is no fault of the points.
+    build(&muscle)?;
     let mut identified = mckibben_fit::identify::identify(&input)?;
     // Identified constants hold for the stretches of the points; those that were kept for those of
     // their data.

@@ -166,12 +166,11 @@ impl BoundModel {
             .map_or(f64::INFINITY, |allowed| allowed.mpa)
             .min(measured_up_to_mpa(self.muscle()))
             .min(self.info().range.pressure_mpa.1);
-        let choice = if self.is_elements() {
-            Model::ClosedForm(ModelKind::ThickWall)
+        let model = if self.is_elements() {
+            ModelKind::ThickWall.build(self.muscle())
         } else {
-            self.choice.clone()
-        };
-        let model = choice.build(self.muscle())?;
+            self.choice.build(self.muscle())
+        }?;
         let workspace = &mut Workspace::new();
         let mut is_quiet = |p: f64, e: f64| {
             let answer = Evaluation::new(&*model, workspace, self.options).point(p, e);
